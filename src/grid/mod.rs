@@ -1,0 +1,109 @@
+//! The voxel grid: palette indices in an `ndarray`, block entities, and what a file says of itself.
+//! Knows nothing of text or files.
+
+mod metadata;
+
+use crate::block::{BlockState, Palette, PaletteFull};
+use crate::nbt::Compound;
+use crate::space::{Bounds, Cell};
+use ndarray::{Array3, s};
+use std::collections::BTreeMap;
+
+pub use metadata::Metadata;
+
+/// A box of blocks. Every cell holds a number of the palette; 0 is air.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    /// Indexed `[y, z, x]`, so that memory runs in the order of schematic files.
+    cells: Array3<u16>,
+    palette: Palette,
+    /// Chests, signs and the like, by place, as `[x, y, z]`.
+    pub block_entities: BTreeMap<[i32; 3], Compound>,
+    pub metadata: Metadata,
+}
+
+impl Grid {
+    /// A grid of air. `size` is not negative.
+    pub fn new(size: Cell) -> Grid {
+        let [x, y, z] = size.to_array().map(|n| n as usize);
+        Grid {
+            cells: Array3::zeros((y, z, x)),
+            palette: Palette::default(),
+            block_entities: BTreeMap::new(),
+            metadata: Metadata::default(),
+        }
+    }
+
+    /// A grid of the given cells, indexed `[y, z, x]`; `None` where one is not a number of the palette.
+    pub fn from_cells(cells: Array3<u16>, palette: Palette) -> Option<Grid> {
+        let in_range = cells.iter().all(|&id| usize::from(id) < palette.states().len());
+        in_range.then(|| Grid {
+            cells,
+            palette,
+            block_entities: BTreeMap::new(),
+            metadata: Metadata::default(),
+        })
+    }
+
+    pub fn size(&self) -> Cell {
+        let (y, z, x) = self.cells.dim();
+        Cell::new(x as i32, y as i32, z as i32)
+    }
+
+    pub fn bounds(&self) -> Bounds {
+        Bounds::of_size(self.size())
+    }
+
+    pub fn palette(&self) -> &Palette {
+        &self.palette
+    }
+
+    /// The palette number of `state`, new if need be.
+    pub fn intern(&mut self, state: &BlockState) -> Result<u16, PaletteFull> {
+        self.palette.intern(state)
+    }
+
+    /// The cells as palette numbers, indexed `[y, z, x]`.
+    pub fn cells(&self) -> &Array3<u16> {
+        &self.cells
+    }
+
+    /// The palette number at `cell`, which must be inside.
+    pub fn id(&self, cell: Cell) -> u16 {
+        self.cells[index(cell)]
+    }
+
+    /// The block at `cell`, which must be inside.
+    pub fn get(&self, cell: Cell) -> &BlockState {
+        self.palette.get(self.id(cell))
+    }
+
+    /// Puts the block of palette number `id` at `cell`, which must be inside.
+    pub fn set(&mut self, cell: Cell, id: u16) {
+        self.cells[index(cell)] = id;
+    }
+
+    /// Fills `bounds`, which must be inside, with one block.
+    pub fn fill(&mut self, bounds: Bounds, id: u16) {
+        let [x0, y0, z0] = index3(bounds.min);
+        let [x1, y1, z1] = index3(bounds.max);
+        self.cells.slice_mut(s![y0..y1, z0..z1, x0..x1]).fill(id);
+    }
+
+    /// Whether both hold the same block state in every cell, whatever their palettes' order.
+    pub fn same_blocks(&self, other: &Grid) -> bool {
+        let translated: Vec<Option<u16>> =
+            self.palette.states().iter().map(|state| other.palette.find(state)).collect();
+        self.size() == other.size()
+            && self.cells.iter().zip(&other.cells).all(|(&a, &b)| translated[usize::from(a)] == Some(b))
+    }
+}
+
+fn index3(cell: Cell) -> [usize; 3] {
+    cell.to_array().map(|n| n as usize)
+}
+
+fn index(cell: Cell) -> [usize; 3] {
+    let [x, y, z] = index3(cell);
+    [y, z, x]
+}

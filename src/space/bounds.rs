@@ -1,0 +1,69 @@
+use super::{Axis, Cell};
+
+/// A half-open box of cells: `min` is inside, `max` is the first cell past the far corner.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Bounds {
+    pub min: Cell,
+    pub max: Cell,
+}
+
+impl Bounds {
+    pub fn new(min: Cell, max: Cell) -> Bounds {
+        Bounds { min, max }
+    }
+
+    /// The box of `size` with its low corner at the origin.
+    pub fn of_size(size: Cell) -> Bounds {
+        Bounds::new(Cell::ZERO, size)
+    }
+
+    pub fn size(&self) -> Cell {
+        self.max - self.min
+    }
+
+    pub fn len(&self, axis: Axis) -> i32 {
+        axis.of(self.size())
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.size().min_element() <= 0
+    }
+
+    /// The number of cells inside.
+    pub fn volume(&self) -> u64 {
+        let size = self.size().max(Cell::ZERO);
+        size.x as u64 * size.y as u64 * size.z as u64
+    }
+
+    pub fn contains(&self, cell: Cell) -> bool {
+        cell.cmpge(self.min).all() && cell.cmplt(self.max).all()
+    }
+
+    pub fn contains_box(&self, other: &Bounds) -> bool {
+        other.min.cmpge(self.min).all() && other.max.cmple(self.max).all()
+    }
+
+    pub fn intersect(&self, other: &Bounds) -> Bounds {
+        Bounds::new(self.min.max(other.min), self.max.min(other.max))
+    }
+
+    pub fn union(&self, other: &Bounds) -> Bounds {
+        Bounds::new(self.min.min(other.min), self.max.max(other.max))
+    }
+
+    /// The slab of this box from `low` to `high` along `axis`, in the same coordinates as the box.
+    pub fn slab(&self, axis: Axis, low: i32, high: i32) -> Bounds {
+        let mut slab = *self;
+        slab.min[axis.index()] = low;
+        slab.max[axis.index()] = high;
+        slab
+    }
+
+    /// Every cell, x fastest, then z, then y: the order of schematic files.
+    pub fn cells(self) -> impl Iterator<Item = Cell> {
+        (self.min.y..self.max.y).flat_map(move |y| {
+            (self.min.z..self.max.z)
+                .flat_map(move |z| (self.min.x..self.max.x).map(move |x| Cell::new(x, y, z)))
+        })
+    }
+}
