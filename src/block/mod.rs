@@ -1,7 +1,24 @@
 //! Block states and what is known of blocks. Knows nothing of grids, text or files.
 
+mod boxes;
+mod color;
+mod facing;
+mod family;
+mod known;
 mod palette;
+mod pattern;
+mod shape;
 mod state;
+mod suggest;
+mod turn;
 
+pub use boxes::{Cuboid, boxes};
+pub use color::{Rgba, color};
+pub use facing::Facing;
+pub use family::Family;
+pub use known::{BadProperty, Known, Property, all, check, complete, known};
 pub use palette::{Palette, PaletteFull};
+pub use shape::{Arm, Bend, Half, Hung, Leaves, Plant, Post, Shape, Sides, Slope, shape};
 pub use state::{BadBlockState, BlockState};
+pub use suggest::suggest;
+pub use turn::Mirror;

@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
@@ -38,6 +39,11 @@ impl BlockState {
         BlockState { name: "minecraft:air".into(), properties: Vec::new() }
     }
 
+    /// The state of a block whose name comes from the table of known blocks, so is legal.
+    pub(super) fn known(name: &'static str) -> BlockState {
+        BlockState { name: format!("minecraft:{name}").into(), properties: Vec::new() }
+    }
+
     /// The name with its namespace.
     pub fn name(&self) -> &str {
         &self.name
@@ -69,6 +75,18 @@ impl BlockState {
             Err(at) => self.properties.insert(at, (key.into(), value.into())),
         }
         self
+    }
+
+    /// This state with every property replaced by what `change` makes of its key and value.
+    pub(super) fn map(
+        &self,
+        change: impl for<'a> Fn(&'a str, &'a str) -> (&'a str, Cow<'a, str>),
+    ) -> BlockState {
+        let bare = BlockState { name: self.name.clone(), properties: Vec::new() };
+        self.properties().fold(bare, |state, (key, value)| {
+            let (key, value) = change(key, value);
+            state.with(key, &value)
+        })
     }
 
     fn position(&self, key: &str) -> Result<usize, usize> {
