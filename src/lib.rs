@@ -14,3 +14,5 @@ pub mod nbt;
 pub mod block;
 
 pub mod grid;
+
+pub mod view;

@@ -150,11 +150,13 @@ pub fn shape(state: &BlockState) -> Shape {
 
 /// What a line of the table says of the names that fit it.
 enum Rule {
-    Class(fn(&BlockState) -> Shape),
+    Class(Reader),
     Boxes(Vec<Cuboid>),
 }
 
-const CLASSES: [(&str, fn(&BlockState) -> Shape); 25] = [
+type Reader = fn(&BlockState) -> Shape;
+
+const CLASSES: [(&str, Reader); 25] = [
     ("air", |_| Shape::Air),
     ("full", |_| Shape::Full),
     ("flower", |_| Shape::Plant(Plant::Flower)),

@@ -1,0 +1,22 @@
+//! Pictures of grids.
+//!
+//! ```text
+//! Grid --turn--> Scene --project--> Canvas --develop--> RgbaImage --> PNG, contact sheet
+//! ```
+
+mod camera;
+mod canvas;
+mod develop;
+mod isometric;
+mod options;
+mod png;
+mod scene;
+mod sheet;
+mod side;
+mod text;
+mod texture;
+
+pub use isometric::isometric;
+pub use options::{Corner, Scale, ViewOptions};
+pub use png::png;
+pub use sheet::sheet;

@@ -1,0 +1,179 @@
+use super::camera::Camera;
+use super::options::Corner;
+use super::side::Side;
+use super::texture::{Texture, is_cut_end, plain, texture};
+use crate::block::{BlockState, Cuboid, Family, Rgba, Shape, boxes, color, shape};
+use crate::grid::Grid;
+use crate::space::{Cell, Turn};
+use glam::Vec3;
+use ndarray::{ArrayView3, Axis};
+
+/// Blocks narrower than this many samples are drawn as one box each, without textures.
+const SMALLEST_DETAIL: f32 = 8.0;
+
+/// A grid, turned so that the camera stands in the south-east, with what its blocks look like.
+pub(super) struct Scene<'a> {
+    cells: ArrayView3<'a, u16>,
+    /// By palette number.
+    looks: Vec<Look>,
+}
+
+/// How a block state is drawn.
+pub(super) struct Look {
+    pub sight: Sight,
+    pub parts: Vec<Part>,
+}
+
+/// How far a block can be looked through.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Sight {
+    Empty,
+    /// Hides whatever is behind it.
+    Solid,
+    /// Opaque, but smaller than its cell.
+    Open,
+    /// Lets light through its color.
+    Clear,
+    /// As clear, and joined to more of it above.
+    Fluid,
+}
+
+/// One box of a block, in cells from the corner of its cell.
+#[derive(Clone)]
+pub(super) struct Part {
+    pub low: Vec3,
+    pub high: Vec3,
+    /// By side.
+    pub colors: [Rgba; 3],
+    pub textures: [&'static Texture; 3],
+}
+
+impl<'a> Scene<'a> {
+    pub fn new(grid: &'a Grid, corner: Corner, camera: &Camera) -> Scene<'a> {
+        let turn = corner.turn();
+        let looks = grid.palette().states().iter().map(|state| look(&state.turned(turn), camera)).collect();
+        Scene { cells: turned(grid.cells().view(), turn), looks }
+    }
+
+    /// All cells that are not empty with their palette numbers, from the back to the front of each layer.
+    pub fn cells(&self) -> impl Iterator<Item = (Cell, u16)> {
+        let rows = self.cells.rows().into_iter();
+        let depth = self.cells.dim().1;
+        rows.enumerate().flat_map(move |(at, row)| {
+            let (y, z) = ((at / depth) as i32, (at % depth) as i32);
+            let found = row.into_iter().enumerate().filter(|(_, id)| self.sight(**id) != Sight::Empty);
+            found.map(move |(x, id)| (Cell::new(x as i32, y, z), *id)).collect::<Vec<_>>()
+        })
+    }
+
+    pub fn look(&self, id: u16) -> &Look {
+        &self.looks[usize::from(id)]
+    }
+
+    fn sight(&self, id: u16) -> Sight {
+        self.looks[usize::from(id)].sight
+    }
+
+    /// The palette number at `cell`; `None` outside the grid.
+    pub fn id(&self, cell: Cell) -> Option<u16> {
+        // A negative number becomes one that is far outside.
+        self.cells.get([cell.y as usize, cell.z as usize, cell.x as usize]).copied()
+    }
+
+    pub fn is_solid(&self, cell: Cell) -> bool {
+        self.id(cell).is_some_and(|id| self.sight(id) == Sight::Solid)
+    }
+}
+
+/// The size of a grid after a turn.
+pub(super) fn turned_size(size: Cell, turn: Turn) -> Cell {
+    turn.apply(size).abs()
+}
+
+/// The cells of a grid after a turn about the vertical, indexed `[y, z, x]` as before.
+fn turned(cells: ArrayView3<'_, u16>, turn: Turn) -> ArrayView3<'_, u16> {
+    const Z: Axis = Axis(1);
+    const X: Axis = Axis(2);
+    let mut cells = if turn.count() % 2 == 1 { cells.permuted_axes([0, 2, 1]) } else { cells };
+    if matches!(turn.count(), 1 | 2) {
+        cells.invert_axis(Z);
+    }
+    if matches!(turn.count(), 2 | 3) {
+        cells.invert_axis(X);
+    }
+    cells
+}
+
+fn look(state: &BlockState, camera: &Camera) -> Look {
+    let shape = shape(state);
+    let parts: Vec<Part> = solids(state).iter().map(|cuboid| part(state, cuboid)).collect();
+    let sight = match (parts.is_empty(), color(state).is_opaque(), shape) {
+        (true, ..) => Sight::Empty,
+        (_, true, Shape::Full) => Sight::Solid,
+        (_, _, Shape::Fluid(_)) => Sight::Fluid,
+        (_, true, _) => Sight::Open,
+        (_, false, _) => Sight::Clear,
+    };
+    let detailed = 2.0 * camera.half >= SMALLEST_DETAIL;
+    let parts =
+        if detailed { parts } else { parts.into_iter().reduce(merge).into_iter().map(blunt).collect() };
+    Look { sight, parts }
+}
+
+/// The boxes of a block, with soil under the turf.
+fn solids(state: &BlockState) -> Vec<Cuboid> {
+    let soil = match state.short_name() {
+        "grass_block" | "podzol" | "mycelium" => Rgba::rgb(0x86, 0x60, 0x43),
+        "crimson_nylium" | "warped_nylium" => Rgba::rgb(0x65, 0x26, 0x26),
+        _ => return boxes(state),
+    };
+    let below = Cuboid { low: [0, 0, 0], high: [16, 12, 16], color: Some(soil) };
+    vec![below, Cuboid { low: [0, 12, 0], high: [16, 16, 16], color: None }]
+}
+
+fn part(state: &BlockState, cuboid: &Cuboid) -> Part {
+    let place = |corner: [u8; 3]| Vec3::from(corner.map(f32::from)) / 16.0;
+    let own = color(state);
+    let cut = Family::of(state.name()).map_or(own, |family| color(&family.full));
+    Part {
+        low: place(cuboid.low),
+        high: place(cuboid.high),
+        colors: Side::ALL.map(|side| match cuboid.color {
+            Some(color) => color,
+            None if is_cut_end(state, side) => cut,
+            None => own,
+        }),
+        textures: Side::ALL.map(|side| texture(state, side)),
+    }
+}
+
+/// The box around two parts, in the colors of the first.
+fn merge(a: Part, b: Part) -> Part {
+    Part { low: a.low.min(b.low), high: a.high.max(b.high), ..b }
+}
+
+fn blunt(part: Part) -> Part {
+    Part { textures: [plain(); 3], ..part }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray::Array3;
+
+    #[test]
+    fn turned_cells_are_where_the_turn_puts_them() {
+        let size = Cell::new(2, 3, 4);
+        let cells = Array3::from_shape_fn((3, 4, 2), |(y, z, x)| (100 * y + 10 * z + x) as u16);
+        for turn in Turn::ALL {
+            let view = turned(cells.view(), turn);
+            let far = turn.apply(size - 1);
+            for ((y, z, x), id) in cells.indexed_iter() {
+                let at = turn.apply(Cell::new(x as i32, y as i32, z as i32)) - far.min(Cell::ZERO);
+                assert_eq!(view.get([at.y as usize, at.z as usize, at.x as usize]), Some(id));
+            }
+            let dim = turned_size(size, turn);
+            assert_eq!(view.dim(), (dim.y as usize, dim.z as usize, dim.x as usize));
+        }
+    }
+}
