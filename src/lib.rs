@@ -15,4 +15,6 @@ pub mod block;
 
 pub mod grid;
 
+pub mod io;
+
 pub mod view;

@@ -1,6 +1,7 @@
 //! The voxel grid: palette indices in an `ndarray`, block entities, and what a file says of itself.
 //! Knows nothing of text or files.
 
+mod labelled;
 mod metadata;
 
 use crate::block::{BlockState, Palette, PaletteFull};
@@ -9,7 +10,8 @@ use crate::space::{Bounds, Cell};
 use ndarray::{Array3, s};
 use std::collections::BTreeMap;
 
-pub use metadata::Metadata;
+pub use labelled::{LabelledBox, LabelledBoxes};
+pub use metadata::{BiomeExtent, Biomes, Entity, Metadata};
 
 /// A box of blocks. Every cell holds a number of the palette; 0 is air.
 #[derive(Clone, Debug)]
@@ -17,7 +19,8 @@ pub struct Grid {
     /// Indexed `[y, z, x]`, so that memory runs in the order of schematic files.
     cells: Array3<u16>,
     palette: Palette,
-    /// Chests, signs and the like, by place, as `[x, y, z]`.
+    /// Chests, signs and the like, by place, as `[x, y, z]`: as the game keeps them, with `id`
+    /// and without their place.
     pub block_entities: BTreeMap<[i32; 3], Compound>,
     pub metadata: Metadata,
 }

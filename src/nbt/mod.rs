@@ -1,5 +1,13 @@
 //! Named binary tags: the tree of values that the game's files are made of.
 
+mod error;
+mod limits;
+mod read;
 mod tag;
+mod write;
 
+pub use error::{NbtError, NbtProblem};
+pub use limits::Limits;
+pub use read::{read, read_first};
 pub use tag::{Compound, Tag};
+pub use write::{WriteError, write};

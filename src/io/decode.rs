@@ -1,0 +1,93 @@
+use super::{Format, Limits, ReadError, Scale, Warning, gzip, obj, schem};
+use crate::grid::{Grid, LabelledBoxes};
+use crate::nbt::{self, Compound, NbtError, NbtProblem};
+
+/// What a file holds.
+#[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "one is made per file")]
+pub enum Content {
+    Grid(Grid),
+    Boxes(LabelledBoxes),
+}
+
+/// What a file holds, and what reading it had to put right.
+#[derive(Clone, Debug)]
+pub struct Decoded {
+    pub content: Content,
+    pub warnings: Vec<Warning>,
+}
+
+/// The content of a file, by what its bytes say it is. OBJ coordinates count in blocks; see
+/// [`decode_obj_boxes`](super::decode_obj_boxes) for other scales.
+pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
+    let plain = gzip::unpack(bytes, limits.max_bytes)?;
+    match parse(&plain, limits)? {
+        Parsed::Tags(Format::Schem, root) => {
+            let (grid, warnings) = schem::decode(&root, limits)?;
+            Ok(Decoded { content: Content::Grid(grid), warnings })
+        }
+        Parsed::Bytes(Format::Obj) => {
+            let boxes = obj::decode_obj_boxes(&plain, Scale::default())?;
+            Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
+        }
+        Parsed::Tags(format, _) | Parsed::Bytes(format) => Err(ReadError::Unreadable(format)),
+    }
+}
+
+/// What format the bytes of a file are in.
+pub fn sniff(bytes: &[u8], limits: &Limits) -> Result<Format, ReadError> {
+    let plain = gzip::unpack(bytes, limits.max_bytes)?;
+    parse(&plain, limits).map(|parsed| match parsed {
+        Parsed::Tags(format, _) | Parsed::Bytes(format) => format,
+    })
+}
+
+enum Parsed {
+    Tags(Format, Compound),
+    Bytes(Format),
+}
+
+fn parse(plain: &[u8], limits: &Limits) -> Result<Parsed, ReadError> {
+    if plain.is_empty() {
+        return Err(ReadError::Empty);
+    }
+    if let Some(format) = Format::of_bytes(plain) {
+        return Ok(Parsed::Bytes(format));
+    }
+    // The type of a compound.
+    if plain[0] != 10 {
+        return Err(ReadError::Unknown(first_bytes(plain)));
+    }
+    let root = tags(plain, limits)?;
+    match Format::of_tags(&root) {
+        Some(format) => Ok(Parsed::Tags(format, root)),
+        None => Err(ReadError::NoSchematic(names(&root))),
+    }
+}
+
+/// Files that were appended to themselves hold nothing new, so they are read as one; anything else
+/// after the end is a sign of damage.
+fn tags(plain: &[u8], limits: &Limits) -> Result<Compound, NbtError> {
+    let (_, root, end) = nbt::read_first(plain, &limits.nbt())?;
+    let (first, rest) = plain.split_at(end);
+    match rest.chunks(end).all(|copy| copy == first) {
+        true => Ok(root),
+        false => Err(NbtError::new(end, NbtProblem::Trailing(rest.len()))),
+    }
+}
+
+fn first_bytes(bytes: &[u8]) -> String {
+    let head: Vec<String> = bytes.iter().take(8).map(|b| format!("{b:02x}")).collect();
+    head.join(" ")
+}
+
+fn names(root: &Compound) -> String {
+    const SHOWN: usize = 8;
+    match root.len() {
+        0 => "nothing".to_owned(),
+        len => {
+            let shown: Vec<String> = root.keys().take(SHOWN).map(|name| format!("`{name}`")).collect();
+            format!("{}{}", shown.join(", "), if len > SHOWN { ", ..." } else { "" })
+        }
+    }
+}

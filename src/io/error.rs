@@ -1,0 +1,90 @@
+use super::{Format, GzipError, ObjError, VarintProblem};
+use crate::block::{BadBlockState, PaletteFull};
+use crate::nbt::{self, NbtError};
+use crate::space::Cell;
+
+/// Why a file cannot be read. The name of the file is for the caller to add.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    #[error(transparent)]
+    File(#[from] std::io::Error),
+    #[error("the file is larger than {0} bytes, the limit")]
+    LargeFile(u64),
+    #[error("the file is empty")]
+    Empty,
+    #[error(transparent)]
+    Gzip(#[from] GzipError),
+    #[error(transparent)]
+    Nbt(#[from] NbtError),
+    #[error("this is {0}, which vox cannot read: expected a Sponge schematic (.schem) or a labelled OBJ")]
+    Unreadable(Format),
+    #[error(
+        "this is NBT, but no schematic: expected `Palette` and `BlockData`, or a compound `Blocks`, \
+         but the root holds {0}"
+    )]
+    NoSchematic(String),
+    #[error("this is no format that vox knows: it starts with the bytes {0}")]
+    Unknown(String),
+
+    #[error("the tag `{path}` is missing: expected {expected}")]
+    Missing { path: String, expected: &'static str },
+    #[error("the tag `{path}` is {found}: expected {expected}")]
+    WrongType { path: String, expected: &'static str, found: String },
+    #[error("the tag `{path}` is {found}: vox knows the versions 1 to 3 of Sponge schematics")]
+    Version { path: String, found: i32 },
+    #[error("the tag `{path}` is 0: a schematic is at least one block wide, high and long")]
+    ZeroSize { path: String },
+    #[error("the size {size} makes {cells} blocks, more than {limit}, the limit")]
+    TooManyCells { size: Size, cells: u64, limit: u64 },
+    #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]
+    TooFewBytes { size: Size, cells: u64, path: String, bytes: usize },
+
+    #[error("the entry `{entry}` of `{path}` is no block state: {problem}")]
+    PaletteEntry { path: String, entry: String, problem: BadBlockState },
+    #[error("the entry `{entry}` of `{path}` has the index {index}: expected 0 to {}", PALETTE_INDEX_MAX)]
+    PaletteIndex { path: String, entry: String, index: i32 },
+    #[error("the entries `{first}` and `{second}` of `{path}` have the same index {index}")]
+    PaletteTwice { path: String, first: String, second: String, index: i32 },
+    #[error("`{path}`: {problem}")]
+    PaletteFull { path: String, problem: PaletteFull },
+
+    #[error("`{path}`, byte {offset}, block {}: {problem}", place(.cell))]
+    Varint { path: String, offset: usize, cell: Cell, problem: VarintProblem },
+    #[error("`{path}`, block {}: index {index} is not in the palette of {entries} entries", place(.cell))]
+    NotInPalette { path: String, cell: Cell, index: u32, entries: usize },
+    #[error("`{path}` ends after {found} of {cells} blocks")]
+    TooFewBlocks { path: String, found: u64, cells: u64 },
+    #[error("`{path}` goes on for {bytes} bytes after all {cells} blocks")]
+    TooManyBlocks { path: String, bytes: usize, cells: u64 },
+
+    #[error(transparent)]
+    Obj(#[from] ObjError),
+}
+
+/// Palette indices up to here are kept in a table.
+pub(super) const PALETTE_INDEX_MAX: i32 = (1 << 20) - 1;
+
+/// A size as messages show it: `17 x 12 x 12`.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Size(pub Cell);
+
+impl std::fmt::Display for Size {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} x {} x {}", self.0.x, self.0.y, self.0.z)
+    }
+}
+
+fn place(cell: &Cell) -> String {
+    format!("({}, {}, {})", cell.x, cell.y, cell.z)
+}
+
+/// Why something cannot be written.
+#[derive(Debug, thiserror::Error)]
+pub enum WriteError {
+    #[error(transparent)]
+    File(#[from] std::io::Error),
+    #[error("the size {0} cannot be written: a .schem holds 1 to 65,535 blocks along each axis")]
+    Size(Size),
+    #[error(transparent)]
+    Nbt(#[from] nbt::WriteError),
+}

@@ -1,0 +1,31 @@
+//! Files <-> grids and labelled boxes, one file per format. Knows nothing of grammars.
+//!
+//! ```text
+//! bytes --gzip--> bytes --sniff--> Format --schem--> Grid
+//!                                         --obj----> LabelledBoxes
+//! ```
+//!
+//! What a file is, its content says: names and extensions are never asked.
+
+mod decode;
+mod error;
+mod fields;
+mod file;
+mod format;
+mod gzip;
+mod limits;
+mod obj;
+mod schem;
+mod varint;
+mod warning;
+
+pub use decode::{Content, Decoded, decode, sniff};
+pub use error::{ReadError, WriteError};
+pub use file::{read, write_atomic};
+pub use format::Format;
+pub use gzip::GzipError;
+pub use limits::Limits;
+pub use obj::{ObjError, ObjMesh, ObjProblem, Scale, decode_obj_boxes, encode_obj_boxes, encode_obj_mesh};
+pub use schem::{DEFAULT_DATA_VERSION, SchemVersion, encode_schem, lost_in_schem};
+pub use varint::VarintProblem;
+pub use warning::Warning;

@@ -1,0 +1,13 @@
+//! Wavefront OBJ: labelled boxes both ways, and grids as coloured meshes out.
+
+mod boxes;
+mod error;
+mod mesh;
+mod parse;
+mod quads;
+mod scale;
+
+pub use boxes::{decode_obj_boxes, encode_obj_boxes};
+pub use error::{ObjError, ObjProblem};
+pub use mesh::{ObjMesh, encode_obj_mesh};
+pub use scale::Scale;

@@ -1,0 +1,25 @@
+//! Sponge schematics (.schem), versions 1 to 3: gzipped NBT, one varint of the palette per block.
+//!
+//! ```text
+//! 1, 2  "Schematic": { Palette, BlockData, BlockEntities: [{ Pos, Id, .. }], .. }
+//! 3     "": { Schematic: { Blocks: { Palette, Data, BlockEntities: [{ Pos, Id, Data: { .. } }] }, .. } }
+//! ```
+//!
+//! Where the point of copying lies is told in two ways. Version 3 says it in `Offset`. WorldEdit's
+//! version 2 puts world coordinates there and says it in `Metadata.WEOffsetX` and so on, which count
+//! here wherever they stand. Written are both alike, and never world coordinates.
+
+mod biomes;
+mod blocks;
+mod entities;
+mod read;
+mod write;
+
+pub(super) use read::decode;
+pub use write::{SchemVersion, encode_schem, lost_in_schem};
+
+/// The game version written for grids that do not say theirs: 1.20.1.
+pub const DEFAULT_DATA_VERSION: i32 = 3465;
+
+/// Where WorldEdit's version 2 keeps the offset, within `Metadata`.
+const WE_OFFSET: [&str; 3] = ["WEOffsetX", "WEOffsetY", "WEOffsetZ"];

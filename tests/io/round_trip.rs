@@ -1,0 +1,217 @@
+use super::{read, read_grid, tags};
+use ndarray::Array3;
+use proptest::collection::{btree_map, vec};
+use proptest::prelude::*;
+use vox::block::{BlockState, Palette};
+use vox::grid::{BiomeExtent, Biomes, Entity, Grid, Metadata};
+use vox::io::{DEFAULT_DATA_VERSION, Limits, SchemVersion, WriteError, decode, encode_schem, lost_in_schem};
+use vox::nbt::Tag;
+use vox::space::Cell;
+
+const VERSIONS: [SchemVersion; 2] = [SchemVersion::V2, SchemVersion::V3];
+
+fn states(count: usize) -> Palette {
+    let mut palette = Palette::default();
+    for n in 1..count {
+        let state = BlockState::new("note_block").unwrap().with("note", &n.to_string());
+        palette.intern(&state).unwrap();
+    }
+    palette
+}
+
+/// A grid in which each of `count` states is in use.
+fn varied(size: Cell, count: usize) -> Grid {
+    let [x, y, z] = size.to_array().map(|n| n as usize);
+    let cells = Array3::from_shape_fn((y, z, x), |(j, k, i)| ((i + x * (k + z * j)) * 7919 % count) as u16);
+    Grid::from_cells(cells, states(count)).unwrap()
+}
+
+fn metadata() -> impl Strategy<Value = Metadata> {
+    let numbers = -2000..2000i32;
+    let entities = vec(([-99.0..99.0, -99.0..99.0, -99.0..99.0f64], "[a-z]{1,9}"), 0..3);
+    (1..5000i32, [numbers.clone(), numbers.clone(), numbers], ".{0,20}", entities).prop_map(
+        |(data_version, offset, author, entities)| Metadata {
+            data_version: Some(data_version),
+            offset: Cell::from_array(offset),
+            tags: tags([("Author", Tag::String(author))]),
+            entities: entities
+                .into_iter()
+                .map(|(place, id)| Entity { place, data: tags([("id", Tag::String(id))]) })
+                .collect(),
+            biomes: None,
+        },
+    )
+}
+
+fn grid() -> impl Strategy<Value = Grid> {
+    let size = (1..9usize, 1..9usize, 1..9usize);
+    let cells = size.prop_flat_map(|(x, y, z)| {
+        (1..300usize).prop_flat_map(move |count| {
+            (vec(0..count as u16, x * y * z), Just(count)).prop_map(move |(cells, count)| {
+                let cells = Array3::from_shape_vec((y, z, x), cells).unwrap();
+                Grid::from_cells(cells, states(count)).unwrap()
+            })
+        })
+    });
+    let data = (any::<i64>(), "[a-z]{1,9}");
+    let block_entities = btree_map([0..8i32, 0..8i32, 0..8i32], data, 0..6);
+    (cells, block_entities, metadata()).prop_map(|(mut grid, block_entities, metadata)| {
+        for (place, (seed, id)) in block_entities {
+            if grid.bounds().contains(Cell::from_array(place)) {
+                let data = tags([("id", Tag::String(id)), ("LootTableSeed", Tag::Long(seed))]);
+                grid.block_entities.insert(place, data);
+            }
+        }
+        grid.metadata = metadata;
+        grid
+    })
+}
+
+/// Sums of coordinates round, so places are compared up to that.
+fn near(a: &[Entity], b: &[Entity]) -> bool {
+    let close = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.data == b.data && close(a.place, b.place))
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_is_read(grid in grid()) {
+        for version in VERSIONS {
+            let decoded = read(&encode_schem(&grid, version).unwrap()).unwrap();
+            prop_assert_eq!(&decoded.warnings, &[]);
+            let back = read_grid(&encode_schem(&grid, version).unwrap());
+            prop_assert!(back.same_blocks(&grid));
+            prop_assert_eq!(&back.block_entities, &grid.block_entities);
+            prop_assert!(near(&back.metadata.entities, &grid.metadata.entities));
+            let rest = |metadata: &Metadata| Metadata { entities: Vec::new(), ..metadata.clone() };
+            prop_assert_eq!(rest(&back.metadata), rest(&grid.metadata));
+        }
+    }
+
+    #[test]
+    fn writing_again_gives_the_same_bytes(grid in grid()) {
+        for version in VERSIONS {
+            let bytes = encode_schem(&grid, version).unwrap();
+            let mut back = read_grid(&bytes);
+            back.metadata.entities = grid.metadata.entities.clone();
+            prop_assert_eq!(encode_schem(&back, version).unwrap(), bytes);
+        }
+    }
+
+    #[test]
+    fn damaged_files_are_read_or_refused(grid in grid(), at: prop::sample::Index, byte: u8) {
+        let packed = encode_schem(&grid, SchemVersion::V2).unwrap();
+        let mut plain = Vec::new();
+        std::io::Read::read_to_end(&mut flate2::read::GzDecoder::new(&packed[..]), &mut plain).unwrap();
+        let at = at.index(plain.len());
+        plain[at] = byte;
+        let _ = read(&plain);
+    }
+}
+
+#[test]
+fn palettes_of_every_varint_length() {
+    for count in [1, 2, 127, 128, 129, 255, 256, 16_383, 16_384, 16_385, 65_536] {
+        let grid = varied(Cell::new(64, 17, 64), count);
+        for version in VERSIONS {
+            let back = read_grid(&encode_schem(&grid, version).unwrap());
+            assert!(back.same_blocks(&grid), "{count} states");
+            // Air stands in every palette, used or not.
+            assert_eq!(back.palette().states().len(), count, "{count} states");
+        }
+    }
+}
+
+#[test]
+fn order_and_waste_of_the_palette_do_not_show() {
+    let stone = BlockState::new("stone").unwrap();
+    let mut plain = Grid::new(Cell::ONE);
+    let id = plain.intern(&stone).unwrap();
+    plain.set(Cell::ZERO, id);
+    let mut wasteful = Grid::new(Cell::ONE);
+    wasteful.intern(&BlockState::new("dirt").unwrap()).unwrap();
+    let id = wasteful.intern(&stone).unwrap();
+    wasteful.set(Cell::ZERO, id);
+    for version in VERSIONS {
+        assert_eq!(encode_schem(&plain, version).unwrap(), encode_schem(&wasteful, version).unwrap());
+    }
+}
+
+#[test]
+fn cells_in_any_memory_order_are_written_alike() {
+    let grid = varied(Cell::new(3, 4, 5), 7);
+    let mut turned = grid.cells().clone().reversed_axes();
+    turned = turned.as_standard_layout().into_owned().reversed_axes();
+    assert!(turned.as_slice().is_none());
+    let turned = Grid::from_cells(turned, grid.palette().clone()).unwrap();
+    assert_eq!(
+        encode_schem(&turned, SchemVersion::V2).unwrap(),
+        encode_schem(&grid, SchemVersion::V2).unwrap()
+    );
+}
+
+#[test]
+fn a_grid_without_a_data_version_gets_the_default() {
+    let back = read_grid(&encode_schem(&Grid::new(Cell::ONE), SchemVersion::V2).unwrap());
+    assert_eq!(back.metadata.data_version, Some(DEFAULT_DATA_VERSION));
+}
+
+#[test]
+fn biomes_stay_where_the_version_has_a_place_for_them() {
+    let mut grid = Grid::new(Cell::new(2, 3, 2));
+    let cases = [
+        (SchemVersion::V2, BiomeExtent::Column, 4, true),
+        (SchemVersion::V3, BiomeExtent::Cell, 12, true),
+        (SchemVersion::V3, BiomeExtent::Column, 4, false),
+        (SchemVersion::V2, BiomeExtent::Cell, 12, false),
+        (SchemVersion::V2, BiomeExtent::Column, 5, false),
+    ];
+    for (version, extent, entries, kept) in cases {
+        let palette = tags([("minecraft:plains", Tag::Int(0))]);
+        grid.metadata.biomes = Some(Biomes { extent, palette, data: vec![0; entries] });
+        let back = read_grid(&encode_schem(&grid, version).unwrap());
+        assert_eq!(back.metadata.biomes.is_some(), kept);
+        assert_eq!(lost_in_schem(&grid, version), if kept { vec![] } else { vec!["biomes"] });
+    }
+}
+
+#[test]
+fn block_entities_without_id_are_lost_with_a_word() {
+    let mut grid = Grid::new(Cell::ONE);
+    grid.block_entities.insert([0, 0, 0], tags([("Lock", Tag::String("key".into()))]));
+    let back = read_grid(&encode_schem(&grid, SchemVersion::V2).unwrap());
+    assert!(back.block_entities.is_empty());
+    assert_eq!(lost_in_schem(&grid, SchemVersion::V2), ["block entities without an `id`"]);
+}
+
+#[test]
+fn sizes_that_have_no_schematic() {
+    for size in [Cell::new(65_536, 1, 1), Cell::new(1, 0, 1)] {
+        let error = encode_schem(&Grid::new(size), SchemVersion::V2).unwrap_err();
+        assert!(matches!(error, WriteError::Size(_)), "{error}");
+    }
+    let long = Grid::new(Cell::new(65_535, 1, 1));
+    assert!(read_grid(&encode_schem(&long, SchemVersion::V3).unwrap()).same_blocks(&long));
+}
+
+#[test]
+fn every_truncated_file_is_refused() {
+    let bytes = encode_schem(&varied(Cell::new(4, 4, 4), 9), SchemVersion::V2).unwrap();
+    for len in 0..bytes.len() {
+        assert!(read(&bytes[..len]).is_err(), "{len} of {} bytes", bytes.len());
+    }
+}
+
+#[test]
+fn limits_hold() {
+    let bytes = encode_schem(&Grid::new(Cell::splat(100)), SchemVersion::V2).unwrap();
+    let cases = [
+        (Limits { max_cells: 999_999, ..Limits::default() }, "more than 999999, the limit"),
+        (Limits { max_bytes: 999_999, ..Limits::default() }, "unpacks to more than 999999 bytes, the limit"),
+    ];
+    for (limits, message) in cases {
+        let error = decode(&bytes, &limits).unwrap_err().to_string();
+        assert!(error.contains(message), "{error}");
+    }
+    assert!(decode(&bytes, &Limits { max_cells: 1_000_000, ..Limits::default() }).is_ok());
+}

@@ -1,0 +1,208 @@
+//! Laws of the NBT reader and writer, with `fastnbt` as an independent second opinion.
+
+use proptest::collection::{btree_map, vec};
+use proptest::prelude::*;
+use std::collections::HashMap;
+use vox::nbt::{self, Compound, Limits, NbtProblem, Tag, WriteError};
+
+fn number() -> impl Strategy<Value = Tag> {
+    prop_oneof![
+        any::<i8>().prop_map(Tag::Byte),
+        any::<i16>().prop_map(Tag::Short),
+        any::<i32>().prop_map(Tag::Int),
+        any::<i64>().prop_map(Tag::Long),
+        (-1e9f32..1e9).prop_map(Tag::Float),
+        (-1e9..1e9).prop_map(Tag::Double),
+    ]
+}
+
+fn leaf() -> impl Strategy<Value = Tag> {
+    prop_oneof![
+        number(),
+        any::<String>().prop_map(Tag::String),
+        any::<Vec<i8>>().prop_map(Tag::ByteArray),
+        any::<Vec<i32>>().prop_map(Tag::IntArray),
+        any::<Vec<i64>>().prop_map(Tag::LongArray),
+    ]
+}
+
+/// Lists hold one type.
+fn uniform(entries: Vec<Tag>) -> Tag {
+    let kind = entries.first().map(Tag::kind);
+    Tag::List(entries.into_iter().filter(|tag| Some(tag.kind()) == kind).collect())
+}
+
+fn tag() -> impl Strategy<Value = Tag> {
+    leaf().prop_recursive(4, 40, 5, |inner| {
+        prop_oneof![
+            vec(inner.clone(), 0..5).prop_map(uniform),
+            btree_map(any::<String>(), inner, 0..5).prop_map(Tag::Compound),
+        ]
+    })
+}
+
+fn compound() -> impl Strategy<Value = Compound> {
+    btree_map(any::<String>(), tag(), 0..6)
+}
+
+fn second_opinion(tag: &Tag) -> fastnbt::Value {
+    use fastnbt::Value;
+    match tag.clone() {
+        Tag::Byte(n) => Value::Byte(n),
+        Tag::Short(n) => Value::Short(n),
+        Tag::Int(n) => Value::Int(n),
+        Tag::Long(n) => Value::Long(n),
+        Tag::Float(n) => Value::Float(n),
+        Tag::Double(n) => Value::Double(n),
+        Tag::String(text) => Value::String(text),
+        Tag::ByteArray(numbers) => Value::ByteArray(fastnbt::ByteArray::new(numbers)),
+        Tag::IntArray(numbers) => Value::IntArray(fastnbt::IntArray::new(numbers)),
+        Tag::LongArray(numbers) => Value::LongArray(fastnbt::LongArray::new(numbers)),
+        Tag::List(entries) => Value::List(entries.iter().map(second_opinion).collect()),
+        Tag::Compound(tags) => Value::Compound(second_opinions(&tags)),
+    }
+}
+
+fn second_opinions(tags: &Compound) -> HashMap<String, fastnbt::Value> {
+    tags.iter().map(|(name, tag)| (name.clone(), second_opinion(tag))).collect()
+}
+
+fn read(bytes: &[u8]) -> Result<(String, Compound), nbt::NbtError> {
+    nbt::read(bytes, &Limits::default())
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_is_read(name: String, tags in compound()) {
+        let bytes = nbt::write(&name, &tags).unwrap();
+        prop_assert_eq!(read(&bytes).unwrap(), (name, tags));
+    }
+
+    #[test]
+    fn fastnbt_reads_the_same(tags in compound()) {
+        let bytes = nbt::write("root", &tags).unwrap();
+        let found: HashMap<String, fastnbt::Value> = fastnbt::from_bytes(&bytes).unwrap();
+        prop_assert_eq!(found, second_opinions(&tags));
+    }
+
+    #[test]
+    fn what_fastnbt_writes_is_read(tags in compound()) {
+        let bytes = fastnbt::to_bytes(&second_opinions(&tags)).unwrap();
+        prop_assert_eq!(read(&bytes).unwrap().1, tags);
+    }
+
+    #[test]
+    fn any_bytes_are_read_or_refused(bytes: Vec<u8>) {
+        let _ = read(&bytes);
+        let _ = read(&[&[10, 0, 0], &bytes[..]].concat());
+    }
+
+    #[test]
+    fn damaged_bytes_are_read_or_refused(tags in compound(), at: prop::sample::Index, byte: u8) {
+        let mut bytes = nbt::write("", &tags).unwrap();
+        let at = at.index(bytes.len());
+        bytes[at] = byte;
+        let _ = read(&bytes);
+    }
+
+    #[test]
+    fn every_truncation_is_refused(tags in compound()) {
+        let bytes = nbt::write("", &tags).unwrap();
+        for len in 0..bytes.len() {
+            prop_assert!(read(&bytes[..len]).is_err());
+        }
+    }
+}
+
+/// Bytes after the head of a nameless root, the path of the broken tag, and the message.
+const REFUSED: [(&str, &[u8], &str); 10] = [
+    ("root list", &[9, 0, 0], "byte 0: expected a compound (tag type 10) at the root, found tag type 9"),
+    ("no tag type", &[10, 0, 0, 13, 0, 1, b'a'], "byte 7, in `a`: there is no tag type 13: expected 1 to 12"),
+    ("no entry type", &[10, 0, 0, 9, 0, 1, b'a', 99, 0, 0, 0, 1], "byte 8, in `a`: there is no tag type 99"),
+    (
+        "untyped list",
+        &[10, 0, 0, 9, 0, 1, b'a', 0, 0, 0, 0, 9],
+        "byte 12, in `a`: a list of 9 entries has no entry type",
+    ),
+    (
+        "negative length",
+        &[10, 0, 0, 7, 0, 1, b'a', 0xff, 0xff, 0xff, 0xff],
+        "byte 11, in `a`: a Byte Array has the negative length -1",
+    ),
+    (
+        "huge array",
+        &[10, 0, 0, 12, 0, 1, b'a', 0x7f, 0xff, 0xff, 0xff],
+        "byte 11, in `a`: a Long Array takes 17179869176 bytes, but only 0 are left",
+    ),
+    (
+        "huge list",
+        &[10, 0, 0, 9, 0, 1, b'a', 10, 0x7f, 0xff, 0xff, 0xff, 0],
+        "byte 12, in `a`: a List takes 2147483647 bytes, but only 1 are left",
+    ),
+    (
+        "within a list",
+        &[10, 0, 0, 9, 0, 1, b'a', 10, 0, 0, 0, 2, 0, 1, 0, 1, b'b'],
+        "byte 17, in `a[1].b`: a Byte takes 1 bytes, but only 0 are left",
+    ),
+    (
+        "no text",
+        &[10, 0, 0, 8, 0, 1, b'a', 0, 1, 0xff, 0],
+        "byte 7, in `a`: the text is not UTF-8, neither plain nor in the modified form of Java",
+    ),
+    ("trailing", &[10, 0, 0, 0, 7, 7], "byte 4: 2 bytes follow after the end of the root compound"),
+];
+
+#[test]
+fn refusals_say_what_and_where() {
+    for (name, bytes, message) in REFUSED {
+        let found = read(bytes).unwrap_err().to_string();
+        assert!(found.starts_with(&format!("broken NBT at {message}")), "{name}: {found}");
+    }
+}
+
+#[test]
+fn deep_nesting_is_refused_and_not_followed() {
+    let lists = [9, 0, 0, 0, 1].repeat(20_000);
+    let bytes = [&[10, 0, 0, 9, 0, 1, b'a'], &lists[..]].concat();
+    assert_eq!(read(&bytes).unwrap_err().problem, NbtProblem::TooDeep(512));
+}
+
+#[test]
+fn as_deep_as_the_game_goes() {
+    let deep =
+        (1..512).fold(Compound::new(), |inner, _| Compound::from([("a".into(), Tag::Compound(inner))]));
+    let bytes = nbt::write("", &deep).unwrap();
+    assert_eq!(read(&bytes).unwrap().1, deep);
+    let deeper = nbt::write("", &Compound::from([("a".into(), Tag::Compound(deep))])).unwrap();
+    assert_eq!(read(&deeper).unwrap_err().problem, NbtProblem::TooDeep(512));
+}
+
+#[test]
+fn memory_is_bounded_where_tags_outgrow_their_bytes() {
+    let tags = Compound::from([("a".into(), Tag::List(vec![Tag::Byte(0); 10_000]))]);
+    let bytes = nbt::write("", &tags).unwrap();
+    let limits = Limits { max_memory: 100_000, ..Limits::default() };
+    assert_eq!(nbt::read(&bytes, &limits).unwrap_err().problem, NbtProblem::TooLarge(100_000));
+    assert!(read(&bytes).is_ok());
+}
+
+#[test]
+fn texts_in_either_form_of_utf8() {
+    let java = [10, 0, 0, 8, 0, 1, b'a', 0, 6, 0xed, 0xa0, 0xbd, 0xed, 0xb8, 0x80, 0];
+    let plain = [10, 0, 0, 8, 0, 1, b'a', 0, 4, 0xf0, 0x9f, 0x98, 0x80, 0];
+    let smile = Compound::from([("a".into(), Tag::String("😀".into()))]);
+    assert_eq!(read(&java).unwrap().1, smile);
+    assert_eq!(read(&plain).unwrap().1, smile);
+    assert_eq!(nbt::write("", &smile).unwrap(), java);
+}
+
+#[test]
+fn trees_without_a_binary_form() {
+    let cases = [
+        (Tag::String("a".repeat(65_536)), WriteError::LongText(65_536)),
+        (Tag::List(vec![Tag::Byte(0), Tag::Int(0)]), WriteError::MixedList("a Byte", "an Int")),
+    ];
+    for (tag, expected) in cases {
+        assert_eq!(nbt::write("", &Compound::from([("a".into(), tag)])), Err(expected));
+    }
+}
