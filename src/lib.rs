@@ -15,6 +15,8 @@ pub mod block;
 
 pub mod grid;
 
+pub mod infer;
+
 pub mod io;
 
 pub mod view;
