@@ -1,5 +1,6 @@
 //! Random split trees, for tests and benches: boxes that can be told apart by clean cuts alone.
 
+use rand::seq::SliceRandom;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use vox::space::{Axis, Bounds, Cell};
@@ -12,7 +13,7 @@ enum Plan {
     Split(Axis, Vec<Plan>),
 }
 
-/// `n` labelled boxes, at least 1, and a container around them, from a random split tree of up to five
+/// `n` labelled boxes, at least 1, in no order, and a container around them, from a random split tree of up to five
 /// parts a split and depth 6, or as deep as so many boxes need. Some boxes fill their place in the tree,
 /// others leave space beside them.
 pub fn jumble(n: usize, seed: u64) -> (Bounds, Vec<(Bounds, u32)>) {
@@ -22,6 +23,7 @@ pub fn jumble(n: usize, seed: u64) -> (Bounds, Vec<(Bounds, u32)>) {
     let container = Bounds::of_size(size(&plan));
     let mut boxes = Vec::with_capacity(n);
     lay_out(&plan, container, &mut rng, &mut boxes);
+    boxes.shuffle(&mut rng);
     (container, boxes)
 }
 
