@@ -1,0 +1,63 @@
+use super::ast::{Constant, Ident};
+use crate::space::Axis;
+
+/// What a name in an expression stands for. Parameters hide constants, constants hide the rest.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Name {
+    /// By its place among the rule's parameters.
+    Param(usize),
+    /// By its place in the file.
+    Constant(usize),
+    Axis(Axis),
+    Number(f64),
+    /// A block, a material or a primitive.
+    Thing,
+}
+
+/// The names that are in scope at one place.
+#[derive(Clone, Copy)]
+pub struct Names<'g> {
+    pub params: &'g [Ident],
+    pub constants: &'g [Constant],
+}
+
+impl Names<'_> {
+    pub fn resolve(&self, name: &str) -> Name {
+        if let Some(at) = self.params.iter().position(|param| param.name == name) {
+            return Name::Param(at);
+        }
+        if let Some(at) = self.constants.iter().position(|constant| constant.name.name == name) {
+            return Name::Constant(at);
+        }
+        match name {
+            "x" => Name::Axis(Axis::X),
+            "y" => Name::Axis(Axis::Y),
+            "z" => Name::Axis(Axis::Z),
+            "pi" => Name::Number(std::f64::consts::PI),
+            "true" => Name::Number(1.0),
+            "false" => Name::Number(0.0),
+            _ => Name::Thing,
+        }
+    }
+}
+
+/// The primitives that vox knows by name, beside blocks: solids, roof pieces, doors and windows.
+pub const PRIMITIVES: [&str; 12] = [
+    "rect",
+    "cuboid",
+    "gable",
+    "roof",
+    "triangle",
+    "right_angle_triangle",
+    "corner",
+    "trough",
+    "hip",
+    "pyramid",
+    "door",
+    "window",
+];
+
+/// Whether a name is one of [`PRIMITIVES`], which may carry a number: `window3`.
+pub fn is_primitive(name: &str) -> bool {
+    PRIMITIVES.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()))
+}
