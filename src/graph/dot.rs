@@ -1,0 +1,226 @@
+//! The op graph as a Graphviz diagram, for people.
+
+use super::raise::raise_expr;
+use super::{Arg, Expr, Op, OpGraph, Size, Thing};
+use crate::block::{self, BlockState};
+use crate::grammar::ast::SizeKind;
+use dot_writer::{Attributes, DotWriter, Scope};
+use petgraph::graph::NodeIndex;
+use std::collections::BTreeMap;
+
+/// The graph in the dot language: the operation and its parameters in each node, under the rule's name;
+/// sizes, faces and weights on the edges; terminals in the colour of their block. Equal operations are
+/// one node, and edges between the same two nodes are drawn as one.
+pub fn dot(graph: &OpGraph) -> String {
+    let graph = graph.unified();
+    let params = params_in_scope(&graph);
+    let mut bytes = Vec::new();
+    {
+        let mut writer = DotWriter::from(&mut bytes);
+        writer.set_pretty_print(true);
+        let mut digraph = writer.digraph();
+        digraph.graph_attributes().set("ordering", "out", false).set("ranksep", "0.6", false);
+        digraph.node_attributes().set_font("Helvetica").set_font_size(11.0).set(
+            "style",
+            "filled,rounded",
+            true,
+        );
+        digraph.edge_attributes().set_font("Helvetica").set_font_size(9.0).set("color", "#777777", true);
+        for node in graph.nodes() {
+            draw_node(&mut digraph, &graph, node, &params[node.index()]);
+            draw_edges(&mut digraph, &graph, node, &params[node.index()]);
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+fn id(node: NodeIndex) -> String {
+    format!("n{}", node.index())
+}
+
+fn draw_node(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params: &[String]) {
+    let mut label = op_text(graph, graph.op(node), params);
+    if let Some(name) = graph.name(node) {
+        let args =
+            if name.params.is_empty() { String::new() } else { format!("({})", name.params.join(", ")) };
+        label = format!("{}{args}\\n{label}", name.label);
+    }
+    let fill = fill_colour(graph, graph.op(node));
+    let ink = if is_dark(fill) { "#ffffff" } else { "#222222" };
+    let mut drawn = out.node_named(id(node));
+    drawn
+        .set("label", &label.replace('"', "\\\""), true)
+        .set("fillcolor", &hex(fill), true)
+        .set("fontcolor", ink, true)
+        .set("shape", if *graph.op(node) == Op::Choose { "ellipse" } else { "box" }, false);
+    if node == graph.root() {
+        drawn.set_pen_width(2.5);
+    }
+}
+
+fn draw_edges(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params: &[String]) {
+    let mut drawn: Vec<(NodeIndex, Vec<String>)> = Vec::new();
+    let total = total_weight(graph, node);
+    for (at, (arg, child)) in graph.children(node).enumerate() {
+        let text = arg_text(graph, arg, params, total) + rhythm_mark(graph.op(node), at);
+        match drawn.iter_mut().find(|(known, _)| *known == child) {
+            Some((_, texts)) => texts.push(text),
+            None => drawn.push((child, vec![text])),
+        }
+    }
+    for (child, texts) in drawn {
+        let label = joined(&texts);
+        out.edge(id(node), id(child)).attributes().set("label", &label.replace('"', "\\\""), true);
+    }
+}
+
+/// The labels of parallel edges: equal ones with their number, many in short.
+fn joined(texts: &[String]) -> String {
+    const SHOWN: usize = 4;
+    let mut counted: Vec<(&str, usize)> = Vec::new();
+    for text in texts.iter().filter(|text| !text.is_empty()) {
+        match counted.iter_mut().find(|(known, _)| known == text) {
+            Some((_, count)) => *count += 1,
+            None => counted.push((text, 1)),
+        }
+    }
+    let mut parts: Vec<String> = counted
+        .iter()
+        .take(SHOWN)
+        .map(|(text, count)| if *count > 1 { format!("{text} ×{count}") } else { (*text).to_owned() })
+        .collect();
+    if counted.len() > SHOWN {
+        parts.push(format!("… {} more", counted.len() - SHOWN));
+    }
+    parts.join(", ")
+}
+
+fn op_text(graph: &OpGraph, op: &Op, params: &[String]) -> String {
+    let text = |expr: &Expr| raise_expr(graph, expr, params).to_string();
+    let list = |sizes: &[Size; 3]| {
+        sizes.iter().map(|size| size_text(graph, size, params)).collect::<Vec<_>>().join(", ")
+    };
+    match op {
+        Op::Primitive { name, material: None } => text(name),
+        Op::Primitive { name, material: Some(material) } => format!("{} of {}", text(name), text(material)),
+        Op::Nil => "nil".to_owned(),
+        Op::Split { axis, .. } => format!("split {}", text(axis)),
+        Op::Repeat { axis, size } => format!("repeat {} every {}", text(axis), text(size)),
+        Op::RepeatN { axis, count } => format!("repeat {} {} times", text(axis), text(count)),
+        Op::Translate(delta) => format!("T {}", list(delta)),
+        Op::Resize(size) => format!("S {}", list(size)),
+        Op::Rotate { axis, angle } => format!("R {} {}", text(axis), text(angle)),
+        Op::Comp => "comp f".to_owned(),
+        Op::Choose => "choose".to_owned(),
+        Op::Call(args) => format!("call ({})", args.iter().map(text).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+fn size_text(graph: &OpGraph, size: &Size, params: &[String]) -> String {
+    let sign = match size.kind {
+        SizeKind::Absolute => "",
+        SizeKind::Floating => "~",
+        SizeKind::Relative => "'",
+    };
+    format!("{sign}{}", raise_expr(graph, &size.value, params))
+}
+
+fn arg_text(graph: &OpGraph, arg: &Arg, params: &[String], total: Option<f64>) -> String {
+    match arg {
+        Arg::None => String::new(),
+        Arg::Size(size) => size_text(graph, size, params),
+        Arg::Face(face) => face.name().to_owned(),
+        Arg::Alternative(alternative) => {
+            let weight = match (&alternative.weight, total) {
+                (Expr::Number(weight), Some(total)) => format!("{:.0} %", 100.0 * weight.0 / total),
+                (weight, _) => raise_expr(graph, weight, params).to_string(),
+            };
+            let condition = alternative.condition.as_ref();
+            condition.map_or(weight.clone(), |condition| {
+                format!("{weight} if {}", raise_expr(graph, condition, params))
+            })
+        }
+    }
+}
+
+/// The sum of the weights of a choice, where they are numbers and nothing else decides.
+fn total_weight(graph: &OpGraph, node: NodeIndex) -> Option<f64> {
+    graph
+        .children(node)
+        .map(|(arg, _)| match arg {
+            Arg::Alternative(alternative) if alternative.condition.is_none() => match alternative.weight {
+                Expr::Number(weight) => Some(weight.0),
+                _ => None,
+            },
+            _ => None,
+        })
+        .sum::<Option<f64>>()
+        .filter(|total| *total > 0.0)
+}
+
+fn rhythm_mark(op: &Op, at: usize) -> &'static str {
+    match op {
+        Op::Split { groups, .. } if groups.iter().any(|group| group.children.contains(&at)) => "*",
+        _ => "",
+    }
+}
+
+/// The names of the parameters that each node's expressions can use.
+fn params_in_scope(graph: &OpGraph) -> Vec<Vec<String>> {
+    let mut params: Vec<Vec<String>> = vec![Vec::new(); graph.len()];
+    let named: BTreeMap<NodeIndex, Vec<String>> = graph
+        .nodes()
+        .filter_map(|node| Some((node, graph.name(node)?.params.clone())))
+        .filter(|(_, params)| !params.is_empty())
+        .collect();
+    for (start, names) in named {
+        let mut todo = vec![start];
+        while let Some(node) = todo.pop() {
+            if params[node.index()].is_empty() {
+                params[node.index()] = names.clone();
+                let is_call = matches!(graph.op(node), Op::Call(_));
+                todo.extend(graph.children(node).map(|(_, child)| child).filter(|_| !is_call));
+            }
+        }
+    }
+    params
+}
+
+type Rgb = [u8; 3];
+
+fn fill_colour(graph: &OpGraph, op: &Op) -> Rgb {
+    match op {
+        Op::Primitive { name, material } => {
+            let made_of = material.as_ref().unwrap_or(name);
+            let [r, g, b, _] =
+                block_of(graph, made_of).map_or([200, 200, 200, 255], |state| block::color(&state).0);
+            [r, g, b]
+        }
+        Op::Nil => [255, 255, 255],
+        Op::Choose => [255, 236, 179],
+        Op::Split { .. } => [225, 236, 244],
+        Op::Repeat { .. } | Op::RepeatN { .. } => [220, 240, 222],
+        _ => [238, 232, 245],
+    }
+}
+
+/// The block that a primitive is made of, where the text alone tells.
+fn block_of(graph: &OpGraph, expr: &Expr) -> Option<BlockState> {
+    match expr {
+        Expr::Constant(at) => block_of(graph, &graph.constants.get(*at)?.1),
+        Expr::Thing(Thing::Block(text)) => text.parse().ok(),
+        Expr::Thing(Thing::Name(name)) => {
+            let known = block::known(name).map(|known| known.default_state());
+            known.or_else(|| block::Family::of(name).map(|family| family.full))
+        }
+        _ => None,
+    }
+}
+
+fn is_dark([r, g, b]: Rgb) -> bool {
+    u32::from(r) * 299 + u32::from(g) * 587 + u32::from(b) * 114 < 128_000
+}
+
+fn hex([r, g, b]: Rgb) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}

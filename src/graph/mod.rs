@@ -1,0 +1,19 @@
+//! The op graph: operations as nodes, ordered edges that carry sizes and weights, on petgraph.
+//! Lowering from a grammar, raising back to one, equality, simplification and dot output.
+//! Knows nothing of grids or files.
+
+mod build;
+mod dot;
+mod expr;
+mod lower;
+mod op;
+mod raise;
+mod unify;
+
+pub use build::Builder;
+pub use dot::dot;
+pub use expr::{Expr, Number, Thing};
+pub use lower::{UnknownStart, lower};
+pub use op::{Alternative, Arg, Group, Op, OpGraph, Origin, RuleName, Size, StartSize};
+pub use petgraph::graph::NodeIndex;
+pub use raise::raise;

@@ -1,0 +1,110 @@
+//! Equality of operations: which nodes describe the same derivations.
+
+use super::{Arg, Op, OpGraph};
+use petgraph::graph::{DiGraph, NodeIndex};
+use petgraph::visit::Bfs;
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+
+impl OpGraph {
+    /// The same graph with every two equal operations made one, numbered breadth-first from the root.
+    ///
+    /// Operations are equal when they and all that can be derived from them are. They are told apart by
+    /// refining a partition of the nodes until it is stable, as finite automata are minimised; so rings
+    /// of rules are compared as well as trees (seed 1, section 10.2, joins equal trees). A hash table
+    /// finds a node's class, and the operations themselves are compared behind the hash.
+    pub fn unified(&self) -> OpGraph {
+        let classes = self.classes();
+        let mut first: BTreeMap<u32, NodeIndex> = BTreeMap::new();
+        for node in self.nodes() {
+            first.entry(classes[node.index()]).or_insert(node);
+        }
+        self.project(|node| first[&classes[node.index()]])
+    }
+
+    /// The part of the graph that the root reaches, numbered breadth-first.
+    pub fn reachable(&self) -> OpGraph {
+        self.project(|node| node)
+    }
+
+    fn classes(&self) -> Vec<u32> {
+        let mut classes = vec![0; self.len()];
+        let mut count = 1;
+        loop {
+            let mut table: FxHashMap<(&Op, Vec<(&Arg, u32)>), u32> = FxHashMap::default();
+            let next: Vec<u32> = self
+                .nodes()
+                .map(|node| {
+                    let children =
+                        self.children(node).map(|(arg, child)| (arg, classes[child.index()])).collect();
+                    let fresh = table.len() as u32;
+                    *table.entry((self.op(node), children)).or_insert(fresh)
+                })
+                .collect();
+            let refined = table.len();
+            if refined == count {
+                return next;
+            }
+            (classes, count) = (next, refined);
+        }
+    }
+
+    /// The reachable graph in which each node is replaced by its representative.
+    fn project(&self, representative: impl Fn(NodeIndex) -> NodeIndex) -> OpGraph {
+        let mut numbers: BTreeMap<NodeIndex, NodeIndex> = BTreeMap::new();
+        let mut graph = DiGraph::new();
+        let mut order = vec![representative(self.root)];
+        numbers.insert(order[0], graph.add_node(self.op(order[0]).clone()));
+        let mut at = 0;
+        while at < order.len() {
+            let node = order[at];
+            at += 1;
+            for (_, child) in self.children(node) {
+                let child = representative(child);
+                numbers.entry(child).or_insert_with(|| {
+                    order.push(child);
+                    graph.add_node(self.op(child).clone())
+                });
+            }
+        }
+        let kept = |node: &NodeIndex| numbers.get(node).copied();
+        let mut out = OpGraph {
+            graph,
+            root: NodeIndex::new(0),
+            names: BTreeMap::new(),
+            origins: BTreeMap::new(),
+            up: self.up,
+            sizes: self.sizes.clone(),
+            constants: self.constants.clone(),
+            preamble: self.preamble.clone(),
+        };
+        for (node, name) in &self.names {
+            if let Some(node) = kept(&representative(*node)) {
+                out.names.entry(node).or_insert_with(|| name.clone());
+            }
+        }
+        out.origins = self.origins.iter().filter_map(|(n, o)| Some((kept(n)?, o.clone()))).collect();
+        for node in order {
+            let children =
+                self.children(node).map(|(arg, child)| (arg.clone(), numbers[&representative(child)]));
+            out.set_children(numbers[&node], children.collect());
+        }
+        out
+    }
+
+    /// Nodes in breadth-first order from the root.
+    pub fn breadth_first(&self) -> Vec<NodeIndex> {
+        let mut walk = Bfs::new(&self.graph, self.root);
+        std::iter::from_fn(|| walk.next(&self.graph)).collect()
+    }
+}
+
+impl PartialEq for OpGraph {
+    fn eq(&self, other: &OpGraph) -> bool {
+        let (a, b) = (self.unified(), other.unified());
+        let constants =
+            |graph: &OpGraph| graph.constants.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>();
+        (a.up, &a.sizes, constants(&a), a.len()) == (b.up, &b.sizes, constants(&b), b.len())
+            && a.nodes().all(|node| a.op(node) == b.op(node) && a.children(node).eq(b.children(node)))
+    }
+}
