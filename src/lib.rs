@@ -15,6 +15,12 @@ pub mod block;
 
 pub mod grid;
 
+pub mod grammar;
+
+pub mod graph;
+
+pub mod run;
+
 pub mod infer;
 
 pub mod io;

@@ -1,0 +1,230 @@
+//! Primitives: what a name and a material put into a scope.
+
+use super::Library;
+use super::derive::Placement;
+use super::error::Kind;
+use super::ramp::Slope;
+use super::solid;
+use crate::block::{self, BlockState, Facing, Family, Shape};
+use crate::grammar::is_primitive;
+use crate::graph::Thing;
+use crate::grid::Grid;
+use crate::space::{Bounds, Cell, Scope, Turn};
+use rustc_hash::FxHashMap;
+
+/// What a primitive is made of and how it fills its scope.
+enum Brush<'l> {
+    /// One block state everywhere.
+    Fill(BlockState),
+    /// A solid with slopes.
+    Solid(Slope, Box<Family>),
+    /// Doors side by side.
+    Door(BlockState),
+    /// A schematic file.
+    Stamp(&'l Grid),
+}
+
+/// The brushes of one run, made at their first use.
+pub struct Brushes<'l, 'g> {
+    library: &'l Library,
+    brushes: Vec<Brush<'l>>,
+    known: FxHashMap<(&'g Thing, Option<&'g Thing>), usize>,
+    /// Palette numbers of filled blocks, by brush and turn.
+    fills: FxHashMap<(usize, Turn), u16>,
+}
+
+impl<'l, 'g> Brushes<'l, 'g> {
+    pub fn new(library: &'l Library) -> Brushes<'l, 'g> {
+        Brushes { library, brushes: Vec::new(), known: FxHashMap::default(), fills: FxHashMap::default() }
+    }
+
+    /// Puts a primitive into the grid. Its scope lies inside.
+    pub fn place(&mut self, grid: &mut Grid, placement: Placement<'g>) -> Result<(), Kind> {
+        let number = self.number(placement.name, placement.material)?;
+        let scope = &placement.scope;
+        match &self.brushes[number] {
+            Brush::Fill(state) => {
+                let turn = scope.frame.turn;
+                let id = match self.fills.get(&(number, turn)) {
+                    Some(&id) => id,
+                    None => {
+                        let id = intern(grid, &state.turned(turn))?;
+                        self.fills.insert((number, turn), id);
+                        id
+                    }
+                };
+                grid.fill(scope.bounds, id);
+                Ok(())
+            }
+            Brush::Solid(slope, family) => build_solid(grid, *slope, family, scope),
+            Brush::Door(door) => build_door(grid, door, scope),
+            Brush::Stamp(file) => stamp(grid, file, scope),
+        }
+    }
+
+    fn number(&mut self, name: &'g Thing, material: Option<&'g Thing>) -> Result<usize, Kind> {
+        if let Some(&number) = self.known.get(&(name, material)) {
+            return Ok(number);
+        }
+        let brush = self.brush(name, material)?;
+        self.brushes.push(brush);
+        self.known.insert((name, material), self.brushes.len() - 1);
+        Ok(self.brushes.len() - 1)
+    }
+
+    fn brush(&self, name: &Thing, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
+        match (name, material) {
+            (Thing::File(file), _) | (_, Some(Thing::File(file))) => {
+                self.library.get(file).map(Brush::Stamp).ok_or_else(|| Kind::NoFile(file.clone()))
+            }
+            (Thing::Name(name), material) if is_primitive(name) => shape_brush(name, material),
+            (thing, None) => block_of(thing).map(Brush::Fill),
+            // A second argument to anything but a shape is what it is made of.
+            (_, Some(material)) => block_of(material).map(Brush::Fill),
+        }
+    }
+}
+
+fn intern(grid: &mut Grid, state: &BlockState) -> Result<u16, Kind> {
+    grid.intern(state).map_err(|_| Kind::PaletteFull)
+}
+
+/// A primitive of the language. Without a material it is made of something plain.
+fn shape_brush<'l>(name: &str, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
+    let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let slope = match base {
+        "gable" | "roof" | "triangle" => Slope::Gable,
+        "right_angle_triangle" => Slope::RightAngleTriangle,
+        "corner" => Slope::Corner,
+        "trough" => Slope::Trough,
+        "hip" => Slope::Hip,
+        "pyramid" => Slope::Pyramid,
+        "door" => return door_of(material).map(Brush::Door),
+        plain => {
+            let fallback = if plain == "window" { "glass" } else { "stone_bricks" };
+            let made_of = material.map_or_else(|| named_block(fallback), block_of);
+            return made_of.map(Brush::Fill);
+        }
+    };
+    family_of(material, "dark_oak").map(|family| Brush::Solid(slope, Box::new(family)))
+}
+
+/// The block of a thing, with all its properties; of a family, its full block.
+fn block_of(thing: &Thing) -> Result<BlockState, Kind> {
+    match thing {
+        Thing::Name(name) => named_block(name),
+        Thing::Block(text) => {
+            let state = text.parse::<BlockState>().map_err(|_| Kind::NoThing(text.clone()))?;
+            Ok(block::complete(&state))
+        }
+        Thing::File(file) => Err(Kind::NoFile(file.clone())),
+    }
+}
+
+fn named_block(name: &str) -> Result<BlockState, Kind> {
+    let known = block::known(name).map(|known| known.default_state());
+    let full = || Family::of(name).map(|family| family.full);
+    known.or_else(full).ok_or_else(|| Kind::NoThing(name.to_owned()))
+}
+
+fn family_of(material: Option<&Thing>, fallback: &str) -> Result<Family, Kind> {
+    let name = match material {
+        None => fallback.to_owned(),
+        Some(Thing::Block(text)) => text.split('[').next().unwrap_or(text).to_owned(),
+        Some(thing) => thing.text().to_owned(),
+    };
+    Family::of(&name).ok_or(Kind::NoThing(name))
+}
+
+fn door_of(material: Option<&Thing>) -> Result<BlockState, Kind> {
+    let given = material.map(block_of).transpose()?;
+    if let Some(door) = given.filter(|state| matches!(block::shape(state), Shape::Door(_))) {
+        return Ok(door);
+    }
+    let family = family_of(material, "oak")?;
+    family.door.ok_or_else(|| Kind::NoThing(format!("{}_door", material.map_or("oak", Thing::text))))
+}
+
+fn build_solid(grid: &mut Grid, slope: Slope, family: &Family, scope: &Scope) -> Result<(), Kind> {
+    let mut ids: FxHashMap<BlockState, u16> = FxHashMap::default();
+    let mut failed = None;
+    solid::build(slope, family, scope, |cell, state| {
+        let id = match ids.get(state) {
+            Some(&id) => Ok(id),
+            None => intern(grid, state).inspect(|&id| {
+                let _ = ids.insert(state.clone(), id);
+            }),
+        };
+        match id {
+            Ok(id) => grid.set(cell, id),
+            Err(kind) => failed = Some(kind),
+        }
+    });
+    failed.map_or(Ok(()), Err)
+}
+
+/// Doors stand on the floor of their scope, in the middle of its depth, and open to the front. Two side by
+/// side are hinged on their outer sides.
+fn build_door(grid: &mut Grid, door: &BlockState, scope: &Scope) -> Result<(), Kind> {
+    let size = scope.bounds.size();
+    if size.y < 2 {
+        return Err(Kind::NoRoomForDoor);
+    }
+    let [right, away] = scope.frame.plan();
+    let facing = Facing::HORIZONTAL.into_iter().find(|facing| facing.step() == away).unwrap_or(Facing::North);
+    let along = (right * size).element_sum().abs();
+    let depth = (away * size).element_sum().abs();
+    let middle = scope.bounds.min + away.abs() * (depth / 2);
+    for number in 0..along {
+        // The number counts to the right as seen from the front.
+        let from_min = if right.min_element() < 0 { along - 1 - number } else { number };
+        let foot = middle + right.abs() * from_min;
+        let hinge = if number % 2 == 0 { "left" } else { "right" };
+        let lower = door.clone().with("facing", facing.name()).with("hinge", hinge);
+        for (height, half) in ["lower", "upper"].into_iter().enumerate() {
+            let id = intern(grid, &lower.clone().with("half", half))?;
+            grid.set(foot + Cell::Y * height as i32, id);
+        }
+    }
+    Ok(())
+}
+
+/// A file stands at the front left foot of its scope, turned with it and cut off at its ends. Its air is
+/// left out.
+fn stamp(grid: &mut Grid, file: &Grid, scope: &Scope) -> Result<(), Kind> {
+    let turn = scope.frame.turn;
+    let mut ids = Vec::with_capacity(file.palette().states().len());
+    for state in file.palette().states() {
+        ids.push(intern(grid, &state.turned(turn))?);
+    }
+    let turned = turned_bounds(file.bounds(), turn);
+    let [right, away] = scope.frame.plan();
+    let mut shift = scope.bounds.min - turned.min;
+    for direction in [right, away] {
+        for axis in [0, 2] {
+            if direction[axis] < 0 {
+                shift[axis] = scope.bounds.max[axis] - turned.max[axis];
+            }
+        }
+    }
+    let place = |cell: Cell| {
+        let target = turn.apply(cell) + shift;
+        scope.bounds.contains(target).then_some(target)
+    };
+    for cell in file.bounds().cells().filter(|cell| !file.get(*cell).is_air()) {
+        if let Some(target) = place(cell) {
+            grid.set(target, ids[usize::from(file.id(cell))]);
+        }
+    }
+    for (at, tags) in &file.block_entities {
+        if let Some(target) = place(Cell::from(*at)) {
+            grid.block_entities.insert(target.to_array(), tags.clone());
+        }
+    }
+    Ok(())
+}
+
+fn turned_bounds(bounds: Bounds, turn: Turn) -> Bounds {
+    let corners = [turn.apply(bounds.min), turn.apply(bounds.max - Cell::ONE)];
+    Bounds::new(corners[0].min(corners[1]), corners[0].max(corners[1]) + Cell::ONE)
+}

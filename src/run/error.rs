@@ -1,0 +1,128 @@
+use crate::graph::{NodeIndex, OpGraph, Origin};
+use crate::space::{Cell, Misfit};
+use std::fmt;
+
+/// Why a derivation stopped, and where in the grammar.
+#[derive(Clone, Debug)]
+pub struct RunError {
+    pub kind: Kind,
+    /// The operation that failed; `None` for the start.
+    pub origin: Option<Origin>,
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub enum Kind {
+    NoSize,
+    Size { size: Cell, limit: u64 },
+    Misfit { misfit: Misfit, axis: String },
+    NoRule { scope: Cell },
+    Weight(f64),
+    Type { expected: &'static str, found: String },
+    NotANumber,
+    Step { what: &'static str, value: f64 },
+    Angle(f64),
+    NotVertical { up: String },
+    Rhythm,
+    OutsidePlot,
+    TooDeep(u32),
+    TooManySteps(u64),
+    NoThing(String),
+    NoFile(String),
+    NoRoomForDoor,
+    PaletteFull,
+}
+
+impl RunError {
+    pub fn anywhere(kind: Kind) -> RunError {
+        RunError { kind, origin: None }
+    }
+
+    pub(super) fn at(graph: &OpGraph, node: NodeIndex, kind: Kind) -> RunError {
+        RunError { kind, origin: graph.origin(node).cloned() }
+    }
+
+    /// What to do about it.
+    pub fn hint(&self) -> Option<String> {
+        Some(match &self.kind {
+            Kind::NoSize => {
+                "give one with `--size 9x7x9`, or write `size(9, 7, 9)` in the grammar".to_owned()
+            }
+            Kind::Misfit { misfit: Misfit::Overrun { .. }, .. } => {
+                "make the scope larger or a size floating (`~1`), or cut it off with `--overrun clip`"
+                    .to_owned()
+            }
+            Kind::Misfit { misfit: Misfit::Underrun { .. }, .. } => {
+                "make one of the sizes floating (`~1`), or leave the rest free with `--overrun clip`"
+                    .to_owned()
+            }
+            Kind::NoRule { .. } => "add a rule without a condition, or one for this case".to_owned(),
+            Kind::Angle(_) => "write pi/2, pi or 3*pi/2 (or 90, 180, 270 degrees)".to_owned(),
+            Kind::NotVertical { up } => format!("write `R({up}, ...)`"),
+            Kind::TooDeep(_) => {
+                "let the rule end: a condition, or a scope that shrinks with every step".to_owned()
+            }
+            Kind::TooManySteps(_) => "raise it with `--max-steps` if so much is meant".to_owned(),
+            Kind::OutsidePlot => {
+                "keep T and S inside the start scope, or cut off with `--overrun clip`".to_owned()
+            }
+            Kind::NoFile(_) => "files are looked for beside the grammar".to_owned(),
+            Kind::NoThing(name) => format!("say what it is made of: `{name} = stone`"),
+            _ => return None,
+        })
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Kind::NoSize => write!(f, "the size of the start scope is not known"),
+            Kind::Size { size, limit } => write!(
+                f,
+                "a start scope of {}x{}x{} is out of bounds: each length is 1 or more, the volume at most {limit} blocks",
+                size.x, size.y, size.z
+            ),
+            Kind::Misfit { misfit, axis } => write!(f, "along {axis}, {misfit}"),
+            Kind::NoRule { scope } => write!(
+                f,
+                "no rule applies: every condition fails in a scope of {}x{}x{}",
+                scope.x, scope.y, scope.z
+            ),
+            Kind::Weight(weight) => {
+                write!(f, "the weight of a rule is {weight}: weights are zero or more, not all zero")
+            }
+            Kind::Type { expected, found } => write!(f, "expected {expected}, found {found}"),
+            Kind::NotANumber => {
+                write!(f, "an expression has no value: it divides by zero or grows without bound")
+            }
+            Kind::Step { what, value } => write!(f, "the {what} of a repeat is {value}"),
+            Kind::Angle(angle) => write!(f, "{angle} is not a multiple of a quarter turn"),
+            Kind::NotVertical { up } => write!(f, "blocks only turn about the vertical, which is {up} here"),
+            Kind::Rhythm => write!(f, "the parts of a rhythm group sum to nothing, so that it never ends"),
+            Kind::OutsidePlot => write!(f, "a scope leaves the start scope"),
+            Kind::TooDeep(limit) => write!(f, "rules call one another more than {limit} deep"),
+            Kind::TooManySteps(limit) => write!(f, "the derivation takes more than {limit} steps"),
+            Kind::NoThing(name) => write!(f, "there is no block or primitive `{name}`"),
+            Kind::NoFile(name) => write!(f, "the file \"{name}\" was not loaded"),
+            Kind::NoRoomForDoor => write!(f, "a door needs a scope two blocks high: it was left out"),
+            Kind::PaletteFull => write!(f, "{}", crate::block::PaletteFull),
+        }
+    }
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.origin {
+            Some(origin) => write!(f, "in `{}`: {}", origin.label, self.kind),
+            None => self.kind.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for RunError {}
+
+/// Something that a run went on after. Each kind is told once an operation, however often it happened.
+#[derive(Clone, Debug)]
+pub struct Warning {
+    pub error: RunError,
+    pub times: u64,
+}

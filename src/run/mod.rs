@@ -1,0 +1,101 @@
+//! Running an op graph: a scope and a seed become placements, and placements become a grid.
+//! Knows nothing of inference or files.
+
+mod brush;
+mod derive;
+mod error;
+mod eval;
+mod place;
+mod ramp;
+mod rhythm;
+mod solid;
+mod start;
+
+use crate::graph::OpGraph;
+use crate::grid::{Grid, LabelledBox};
+use crate::space::{Bounds, Cell, Frame, Scope, Turn};
+use std::collections::BTreeMap;
+
+pub use derive::{Placement, derive};
+pub use error::{Kind, RunError, Warning};
+pub use start::start_size;
+
+/// What to do where sizes do not fit their scope.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Overrun {
+    /// Stop with an error that names the rule.
+    #[default]
+    Refuse,
+    /// Cut off what runs over, leave free what is not filled, and warn.
+    Clip,
+}
+
+/// Bounds on what a derivation may take, so that a slip in a grammar ends in an error.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Limits {
+    /// Cells of the grid.
+    pub cells: u64,
+    /// Operations derived from one another in a chain.
+    pub depth: u32,
+    /// Operations in all.
+    pub steps: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits { cells: 1 << 28, depth: 10_000, steps: 100_000_000 }
+    }
+}
+
+/// How to run a graph.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Options {
+    pub seed: u64,
+    /// The size of the start scope in the grammar's axes; `None` to draw one of the grammar's own.
+    pub size: Option<Cell>,
+    pub overrun: Overrun,
+    pub limits: Limits,
+}
+
+/// The schematic files that a graph names as primitives, by name.
+pub type Library = BTreeMap<String, Grid>;
+
+/// What a run made, and what there is to say about it.
+#[derive(Debug)]
+pub struct Made<T> {
+    pub made: T,
+    pub warnings: Vec<Warning>,
+}
+
+/// Runs a graph and fills a grid of the start scope's size.
+pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made<Grid>, RunError> {
+    let scope = start_scope(graph, options)?;
+    let mut grid = Grid::new(scope.bounds.size());
+    let mut brushes = brush::Brushes::new(library);
+    let warnings = derive(graph, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
+    Ok(Made { made: grid, warnings })
+}
+
+/// Runs a graph and lists its primitives as labelled boxes in the grammar's own axes, in the order placed.
+pub fn run_boxes(graph: &OpGraph, options: &Options) -> Result<Made<Vec<LabelledBox>>, RunError> {
+    let scope = start_scope(graph, options)?;
+    let mut boxes = Vec::new();
+    let warnings = derive(graph, scope, options, &mut |placement| {
+        let label = placement.name.text().to_owned();
+        boxes.push(LabelledBox { label, bounds: placement.scope.bounds });
+        Ok(())
+    })?;
+    Ok(Made { made: boxes, warnings })
+}
+
+fn start_scope(graph: &OpGraph, options: &Options) -> Result<Scope, RunError> {
+    let size = match options.size {
+        Some(size) => size,
+        None => start_size(graph, options.seed)?,
+    };
+    let volume = Bounds::of_size(size).volume();
+    if size.min_element() < 1 || volume > options.limits.cells {
+        return Err(RunError::anywhere(Kind::Size { size, limit: options.limits.cells }));
+    }
+    Ok(Scope::start(size, Frame { up: graph.up, turn: Turn::NONE }))
+}

@@ -1,0 +1,77 @@
+use super::error::Kind;
+use crate::graph::Group;
+use crate::space::Length;
+use std::ops::Range;
+
+/// Slack in counting how often a rhythm fits, against the noise of sums.
+const NOISE: f64 = 1e-6;
+
+/// Writes out the rhythm groups of a split: the numbers of its children in order, repeated as they fit.
+///
+/// A group of absolute sizes is repeated as often as it fits; one with floating sizes as often as comes
+/// nearest to their sizes taken as blocks, and once at least. What the parts outside the groups take is
+/// set aside first, floating ones at their sizes in blocks; several groups share the rest.
+pub fn written_out(parts: &[Length], groups: &[Group], total: i32) -> Result<Vec<usize>, Kind> {
+    let mut out = Vec::new();
+    let rhythm = Rhythm { parts, groups, most: 2 * total.max(0) as usize + 1 };
+    rhythm.write(0..parts.len(), 0, f64::from(total), &mut out)?;
+    Ok(out)
+}
+
+struct Rhythm<'a> {
+    parts: &'a [Length],
+    groups: &'a [Group],
+    /// No more parts than this can hold a block; the rest are of length zero.
+    most: usize,
+}
+
+impl Rhythm<'_> {
+    /// Writes out the children of `range`; `inner` is the first group that may lie inside it.
+    fn write(&self, range: Range<usize>, inner: usize, room: f64, out: &mut Vec<usize>) -> Result<(), Kind> {
+        let grouped: f64 = self.direct(&range, inner).map(|(_, group)| self.natural(group)).sum();
+        let free = (room - (self.natural(&range) - grouped)).max(0.0);
+        let mut at = range.start;
+        for (number, group) in self.direct(&range, inner) {
+            out.extend(at..group.start);
+            let share = free * self.natural(group) / grouped;
+            let count = self.count(group, share)?;
+            for _ in 0..count {
+                self.write(group.clone(), number + 1, share / count as f64, out)?;
+                if out.len() > self.most + self.parts.len() {
+                    return Err(Kind::Rhythm);
+                }
+            }
+            at = group.end;
+        }
+        out.extend(at..range.end);
+        Ok(())
+    }
+
+    /// The groups directly inside `range`, with their numbers.
+    fn direct(&self, range: &Range<usize>, inner: usize) -> impl Iterator<Item = (usize, &Range<usize>)> {
+        let (mut at, end) = (range.start, range.end);
+        self.groups.iter().map(|group| &group.children).enumerate().skip(inner).filter(move |(_, group)| {
+            let is_direct = group.start >= at && group.end <= end;
+            if is_direct {
+                at = group.end;
+            }
+            is_direct
+        })
+    }
+
+    fn count(&self, group: &Range<usize>, share: f64) -> Result<usize, Kind> {
+        let natural = self.natural(group);
+        if natural <= NOISE {
+            return Err(Kind::Rhythm);
+        }
+        let floats = self.parts[group.clone()].iter().any(|part| matches!(part, Length::Floating(_)));
+        let fits = share / natural;
+        Ok(if floats { fits.round().max(1.0) } else { (fits + NOISE).floor() } as usize)
+    }
+
+    /// The blocks that a range takes with every group in it once and floating sizes taken as blocks.
+    fn natural(&self, range: &Range<usize>) -> f64 {
+        let parts = self.parts[range.clone()].iter();
+        parts.map(|(Length::Absolute(size) | Length::Floating(size))| size.max(0.0)).sum()
+    }
+}

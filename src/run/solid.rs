@@ -1,0 +1,162 @@
+//! Solids with slopes, built of a family of blocks: full blocks inside, stairs and slabs on the surface.
+
+use super::ramp::{Rise, Slope, Surface, Way};
+use crate::block::{BlockState, Facing, Family};
+use crate::space::{Cell, Frame, Scope};
+
+/// A slope this steep, in blocks up a block on, is laid in stairs; flatter ones in slabs.
+const STAIR_PITCH: f64 = 0.7;
+
+/// What lies on top of a column.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Cap {
+    None,
+    Slab,
+    Stairs { uphill: Way },
+    OuterCorner([Way; 2]),
+    InnerCorner([Way; 2]),
+}
+
+/// A column of a solid: full blocks from its foot, then a cap.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+struct Column {
+    full: i32,
+    cap: Cap,
+}
+
+/// Calls `put` with every cell of the solid in `scope` and the block that goes there.
+pub fn build(slope: Slope, family: &Family, scope: &Scope, mut put: impl FnMut(Cell, &BlockState)) {
+    let plan = Plan::of(scope);
+    let [lu, lv] = plan.lengths;
+    for v in 0..lv {
+        for u in 0..lu {
+            let column = column(slope, family, [u, v], &plan);
+            for w in 0..column.full {
+                put(plan.cell(u, v, w), &family.full);
+            }
+            if let Some(cap) = cap_block(column.cap, family, scope.frame) {
+                put(plan.cell(u, v, column.full), &cap);
+            }
+        }
+    }
+}
+
+/// The scope as a plan with heights.
+struct Plan {
+    corner: Cell,
+    directions: [Cell; 2],
+    lengths: [i32; 2],
+    height: i32,
+}
+
+impl Plan {
+    fn of(scope: &Scope) -> Plan {
+        let directions = scope.frame.plan();
+        let (size, last) = (scope.bounds.size(), scope.bounds.max - Cell::ONE);
+        let lengths = directions.map(|direction| (direction * size).element_sum().abs());
+        let mut corner = scope.bounds.min;
+        for direction in directions {
+            for axis in [0, 2] {
+                if direction[axis] < 0 {
+                    corner[axis] = last[axis];
+                }
+            }
+        }
+        Plan { corner, directions, lengths, height: size.y }
+    }
+
+    fn cell(&self, u: i32, v: i32, w: i32) -> Cell {
+        self.corner + self.directions[0] * u + self.directions[1] * v + Cell::Y * w
+    }
+}
+
+fn column(slope: Slope, family: &Family, at: [i32; 2], plan: &Plan) -> Column {
+    let surface = slope.surface(at, plan.lengths, plan.height);
+    let (Surface::Plain(rise) | Surface::Hip(rise, _) | Surface::Valley(rise, _)) = surface;
+    let has_stairs = family.stairs.is_some();
+    match surface {
+        _ if rise.pitch < STAIR_PITCH || !has_stairs => flat(rise, family),
+        Surface::Plain(rise) => plain(rise, slope, at, plan),
+        Surface::Hip(a, b) => corner(a, b, Cap::OuterCorner, rise),
+        Surface::Valley(a, b) => corner(a, b, Cap::InnerCorner, rise),
+    }
+}
+
+/// The index of the topmost block of a column whose surface lies at `height`.
+fn top(height: f64) -> i32 {
+    ((height - 1e-6).ceil() as i32 - 1).max(0)
+}
+
+/// A column of a flat slope: rounded to whole blocks, or to half ones where there are slabs.
+fn flat(rise: Rise, family: &Family) -> Column {
+    if family.slab.is_none() {
+        return Column { full: (rise.height.round() as i32).max(1), cap: Cap::None };
+    }
+    let halves = ((rise.height * 2.0).round() as i32).max(1);
+    Column { full: halves / 2, cap: if halves % 2 == 1 { Cap::Slab } else { Cap::None } }
+}
+
+fn plain(rise: Rise, slope: Slope, at: [i32; 2], plan: &Plan) -> Column {
+    let full = top(rise.height);
+    match rise.uphill {
+        Some(uphill) => Column { full, cap: Cap::Stairs { uphill } },
+        None => ridge(full, slope, at, plan),
+    }
+}
+
+/// The ridge between two slopes: a slab where it rises above both, a full block where it is level with them.
+fn ridge(full: i32, slope: Slope, [u, v]: [i32; 2], plan: &Plan) -> Column {
+    let [lu, lv] = plan.lengths;
+    let neighbours = [[u - 1, v], [u + 1, v], [u, v - 1], [u, v + 1]];
+    let highest = neighbours
+        .into_iter()
+        .filter(|[u, v]| (0..lu).contains(u) && (0..lv).contains(v))
+        .filter_map(|at| match slope.surface(at, plan.lengths, plan.height) {
+            Surface::Plain(Rise { uphill: None, .. }) => None,
+            Surface::Plain(rise) | Surface::Hip(rise, _) | Surface::Valley(rise, _) => Some(top(rise.height)),
+        })
+        .max();
+    match highest {
+        Some(level) if level >= full => Column { full: full + 1, cap: Cap::None },
+        _ => Column { full, cap: Cap::Slab },
+    }
+}
+
+fn corner(a: Rise, b: Rise, bend: fn([Way; 2]) -> Cap, rise: Rise) -> Column {
+    let full = top(rise.height);
+    let cap = match (a.uphill, b.uphill) {
+        (Some(first), Some(second)) => bend([first, second]),
+        (Some(uphill), None) | (None, Some(uphill)) => Cap::Stairs { uphill },
+        (None, None) => Cap::Slab,
+    };
+    Column { full, cap }
+}
+
+fn cap_block(cap: Cap, family: &Family, frame: Frame) -> Option<BlockState> {
+    let stairs = |facing: Facing, shape: &str| {
+        let stairs = family.stairs.clone()?;
+        Some(stairs.with("facing", facing.name()).with("half", "bottom").with("shape", shape))
+    };
+    let [first, second] = match cap {
+        Cap::None => return None,
+        Cap::Slab => return Some(family.slab.as_ref().unwrap_or(&family.full).clone()),
+        Cap::Stairs { uphill } => return stairs(facing(uphill, frame), "straight"),
+        Cap::OuterCorner(ways) | Cap::InnerCorner(ways) => ways.map(|way| facing(way, frame)),
+    };
+    let side = if first.left() == second { "left" } else { "right" };
+    let bend = if matches!(cap, Cap::InnerCorner(_)) { "inner" } else { "outer" };
+    stairs(first, &format!("{bend}_{side}"))
+}
+
+/// The side of the world that a direction of the plan points to.
+fn facing(way: Way, frame: Frame) -> Facing {
+    let [right, away] = frame.plan();
+    let direction = match way {
+        Way::Right => right,
+        Way::Left => -right,
+        Way::Away => away,
+        Way::Towards => -away,
+    };
+    let found = Facing::HORIZONTAL.into_iter().find(|facing| facing.step() == direction);
+    found.unwrap_or(Facing::North)
+}
