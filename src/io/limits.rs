@@ -10,9 +10,9 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 2 GiB and 256 Mi cells (512 MiB as a grid).
+    /// 1 GiB, which holds 256 Mi cells of any palette; those make a grid of 512 MiB.
     fn default() -> Limits {
-        Limits { max_bytes: 2 << 30, max_cells: 256 << 20 }
+        Limits { max_bytes: 1 << 30, max_cells: 256 << 20 }
     }
 }
 

@@ -9,6 +9,6 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { max_depth: 512, max_memory: 2 << 30 }
+        Limits { max_depth: 512, max_memory: 1 << 30 }
     }
 }

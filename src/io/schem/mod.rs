@@ -7,7 +7,7 @@
 //!
 //! Where the point of copying lies is told in two ways. Version 3 says it in `Offset`. WorldEdit's
 //! version 2 puts world coordinates there and says it in `Metadata.WEOffsetX` and so on, which count
-//! here wherever they stand. Written are both alike, and never world coordinates.
+//! here wherever they stand. Both are written alike, so that either kind of reader agrees.
 
 mod biomes;
 mod blocks;
