@@ -26,3 +26,5 @@ pub mod infer;
 pub mod io;
 
 pub mod view;
+
+pub mod cli;

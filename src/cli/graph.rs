@@ -1,0 +1,26 @@
+use super::failure::Failure;
+use super::{input, output};
+use crate::graph::dot;
+use std::path::PathBuf;
+
+/// Draw the op graph of a grammar in Graphviz's dot language
+#[derive(clap::Args)]
+#[command(after_help = "\
+Example:
+  vox graph village.grammar -o village.dot && dot -Tsvg village.dot -o village.svg")]
+pub struct Args {
+    /// The grammar file, or - for standard input
+    grammar: PathBuf,
+    /// Where to write; standard output if not given
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    output: PathBuf,
+    /// The rule to start from, instead of the first
+    #[arg(long, value_name = "LABEL")]
+    start: Option<String>,
+}
+
+pub fn execute(args: &Args) -> Result<(), Failure> {
+    let source = input::source(&args.grammar)?;
+    let graph = input::graph(&source, args.start.as_deref())?;
+    output::write(&args.output, dot(&graph).as_bytes())
+}

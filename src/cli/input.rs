@@ -1,0 +1,147 @@
+//! Reading what the command line names: files, patterns and standard input.
+
+use super::failure::{Failure, io_text};
+use super::report::{self, Source};
+use crate::grammar::{self, Checked, Severity};
+use crate::graph::{OpGraph, lower};
+use crate::grid::Grid;
+use crate::io::{self, Content, Format, Limits, Scale};
+use crate::run::{Library, RunError};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// The files that the arguments name: a pattern that the shell left alone is looked up here.
+pub fn paths(args: &[String]) -> Result<Vec<PathBuf>, Failure> {
+    let mut paths = Vec::new();
+    for arg in args {
+        let is_pattern = arg.contains(['*', '?', '[']) && !Path::new(arg).exists();
+        if !is_pattern {
+            paths.push(PathBuf::from(arg));
+            continue;
+        }
+        let found = glob::glob(arg).map_err(|error| Failure::of_file(arg, error))?;
+        let before = paths.len();
+        paths.extend(found.filter_map(Result::ok));
+        if paths.len() == before {
+            return Err(Failure::of_file(arg, "no file matches this pattern"));
+        }
+    }
+    Ok(paths)
+}
+
+/// What messages call a file.
+pub fn name(path: &Path) -> String {
+    if is_stdio(path) { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+pub fn is_stdio(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// What to read a file with.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reading {
+    pub limits: Limits,
+    /// Of labelled boxes; whole units where none is given.
+    pub scale: Option<Scale>,
+}
+
+/// The content of a building's file. What reading it had to put right is told.
+pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
+    let name = name(path);
+    let bytes = bytes(path, reading.limits.max_bytes)?;
+    if let Some(scale) = reading.scale
+        && io::sniff(&bytes, &reading.limits).is_ok_and(|format| format == Format::Obj)
+    {
+        let boxes = io::decode_obj_boxes(&bytes, scale).map_err(|error| Failure::of_file(&name, error))?;
+        return Ok(Content::Boxes(boxes));
+    }
+    let decoded = io::decode(&bytes, &reading.limits).map_err(|error| Failure::read(&name, &error))?;
+    decoded.warnings.iter().for_each(|warning| report::warning(&format!("{name}: {warning}")));
+    Ok(decoded.content)
+}
+
+/// The blocks of a file; labelled boxes have none.
+pub fn grid(path: &Path, reading: &Reading) -> Result<Grid, Failure> {
+    match content(path, reading)? {
+        Content::Grid(grid) => Ok(grid),
+        Content::Boxes(_) => {
+            let failure = Failure::of_file(&name(path), "this file holds labelled boxes, not blocks");
+            Err(failure.hint("`vox infer` learns from labelled boxes; `vox run` then makes blocks"))
+        }
+    }
+}
+
+fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let read = match is_stdio(path) {
+        true => std::io::stdin().take(most + 1).read_to_end(&mut bytes),
+        false => std::fs::File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes)),
+    };
+    read.map_err(|error| Failure::of_file(&name(path), io_text(&error)))?;
+    match bytes.len() as u64 > most {
+        true => {
+            Err(Failure::of_file(&name(path), format!("the file is larger than {most} bytes, the limit")))
+        }
+        false => Ok(bytes),
+    }
+}
+
+/// The text of a grammar file, with its name.
+pub fn source(path: &Path) -> Result<Source, Failure> {
+    const MOST: u64 = 64 << 20;
+    let name = name(path);
+    let bytes = bytes(path, MOST)?;
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(Source { name, text }),
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            let failure = Failure::of_file(&name, format!("this is not a text: byte {at} is not UTF-8"));
+            Err(failure.hint("a grammar is a text file; schematics are read by `vox infer` and `vox info`"))
+        }
+    }
+}
+
+/// A grammar without errors. Every finding is told.
+pub fn checked(source: &Source) -> Result<Checked, Failure> {
+    let checked = grammar::parse(&source.text).and_then(grammar::check);
+    let findings = match &checked {
+        Ok(checked) => &checked.warnings,
+        Err(findings) => findings,
+    };
+    findings.iter().for_each(|finding| report::diagnostic(source, finding));
+    checked.map_err(|findings| {
+        let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
+        let noun = if errors == 1 { "error" } else { "errors" };
+        Failure::of_file(&source.name, format!("{errors} {noun}"))
+    })
+}
+
+/// A grammar file as a graph from `start`, or from its first rule.
+pub fn graph(source: &Source, start: Option<&str>) -> Result<OpGraph, Failure> {
+    lower(&checked(source)?, start).map_err(|error| Failure::of_file(&source.name, error))
+}
+
+/// The schematics that a graph names as primitives, looked for beside its grammar.
+pub fn library(graph: &OpGraph, grammar: &Path) -> Result<Library, Failure> {
+    let folder = grammar.parent().unwrap_or(Path::new("."));
+    let mut library = Library::new();
+    for file in graph.files() {
+        library.insert(file.to_owned(), grid(&folder.join(file), &Reading::default())?);
+    }
+    Ok(library)
+}
+
+/// Tells of an error of a run at its place in the text.
+pub fn run_failure(source: &Source, error: &RunError) -> Failure {
+    let Some(origin) = &error.origin else {
+        let failure = Failure::of_file(&source.name, error);
+        return match error.hint() {
+            Some(hint) => failure.hint(hint),
+            None => failure,
+        };
+    };
+    let finding = grammar::Diagnostic::error(origin.span, error.to_string()).label("this operation");
+    report::diagnostic(source, &finding.maybe_hint(error.hint()));
+    Failure::Told
+}

@@ -1,0 +1,66 @@
+//! The `vox` command: one file per subcommand. The only place with arguments, paths and colours.
+
+mod check;
+mod completions;
+mod convert;
+mod failure;
+mod graph;
+mod infer;
+mod info;
+mod input;
+mod output;
+mod progress;
+mod render;
+mod report;
+mod run;
+mod size;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Learn a split grammar from Minecraft houses, and grow new ones in the same style.
+#[derive(Parser)]
+#[command(version, max_term_width = 100, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  vox infer house*.schem -o village.grammar --dot village.dot   examples -> readable rules
+  vox run village.grammar -n 50 -o 'out/house-{seed}.schem'     rules -> new houses
+  vox render out/*.schem -o sheet.png                           look before importing
+
+Exit codes: 0 done, 1 something is wrong with the input, 2 the command line is wrong.
+NO_COLOR turns colours off. `-` stands for standard input or output.";
+
+#[derive(Subcommand)]
+enum Command {
+    Run(run::Args),
+    Infer(infer::Args),
+    Graph(graph::Args),
+    Check(check::Args),
+    Info(info::Args),
+    Render(render::Args),
+    Convert(convert::Args),
+    Completions(completions::Args),
+}
+
+/// Runs the command line of the process.
+pub fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Run(args) => run::execute(&args),
+        Command::Infer(args) => infer::execute(&args),
+        Command::Graph(args) => graph::execute(&args),
+        Command::Check(args) => check::execute(&args),
+        Command::Info(args) => info::execute(&args),
+        Command::Render(args) => render::execute(&args),
+        Command::Convert(args) => convert::execute(&args),
+        Command::Completions(args) => completions::execute(&args),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

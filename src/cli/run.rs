@@ -1,0 +1,130 @@
+use super::failure::Failure;
+use super::input;
+use super::output::{self, Template, Writing};
+use super::progress::Progress;
+use super::report::{self, Source};
+use super::size::SizeArg;
+use crate::graph::OpGraph;
+use crate::run::{self, Library, Limits, Made, Options, Overrun};
+use crate::space::Cell;
+use clap::ValueEnum;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// Run a grammar: make new buildings
+///
+/// The same grammar, size and seed always give the same bytes.
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  vox run cottage.grammar --seed 7 -o cottage.schem
+  vox run tower.grammar --size 7x30x7 -o tower.png
+  vox run village.grammar -n 50 -o 'out/house-{seed}.schem'
+  vox run garage.grammar -n 10 --boxes -o 'garage-{n}.obj'")]
+pub struct Args {
+    /// The grammar file, or - for standard input
+    grammar: PathBuf,
+    /// Where to write: .schem, .obj or .png. {seed} and {n} stand for the seed and the number of each building
+    #[arg(short, long, value_name = "FILE")]
+    output: Template,
+    /// The size of the start scope along the grammar's x, y and z; otherwise one that the grammar states
+    #[arg(long, value_name = "XxYxZ")]
+    size: Option<SizeArg>,
+    /// The seed of the first building; each further one takes the next
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// How many buildings to make
+    #[arg(short, value_name = "N", default_value_t = 1)]
+    number: u32,
+    /// The rule to start from, instead of the first
+    #[arg(long, value_name = "LABEL")]
+    start: Option<String>,
+    /// What to do where sizes do not fit their scope
+    #[arg(long, value_enum, default_value = "error")]
+    overrun: OverrunArg,
+    /// Write the primitives as labelled boxes, one OBJ object each, instead of blocks
+    #[arg(long)]
+    boxes: bool,
+    /// The most operations that one building may take
+    #[arg(long, value_name = "N", default_value_t = Limits::default().steps)]
+    max_steps: u64,
+    /// The most blocks that a start scope may hold
+    #[arg(long, value_name = "N", default_value_t = Limits::default().cells)]
+    max_cells: u64,
+    /// Print what was made as JSON, one line a building
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    writing: Writing,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum OverrunArg {
+    /// Stop, and name the rule
+    Error,
+    /// Cut off what runs over, and warn
+    Clip,
+}
+
+pub fn execute(args: &Args) -> Result<(), Failure> {
+    let source = input::source(&args.grammar)?;
+    let graph = input::graph(&source, args.start.as_deref())?;
+    let library = input::library(&graph, &args.grammar)?;
+    let seeds: Vec<u64> = (0..u64::from(args.number)).map(|number| args.seed.wrapping_add(number)).collect();
+    let paths = args.output.paths(&seeds)?;
+    if let Some(path) = paths.first().filter(|_| !args.boxes) {
+        args.writing.kind(path)?;
+    }
+    let progress = Progress::new(seeds.len());
+    for (seed, path) in seeds.into_iter().zip(&paths) {
+        let size = make(args, &source, &graph, &library, seed, path)?;
+        if args.json {
+            let [x, y, z] = size.to_array();
+            output::json(&json!({ "file": path.display().to_string(), "seed": seed, "size": [x, y, z] }))?;
+        }
+        progress.step();
+    }
+    Ok(())
+}
+
+/// Makes and writes one building; gives back its size in the world.
+fn make(
+    args: &Args,
+    source: &Source,
+    graph: &OpGraph,
+    library: &Library,
+    seed: u64,
+    path: &Path,
+) -> Result<Cell, Failure> {
+    let options = Options {
+        seed,
+        size: args.size.map(|size| size.0),
+        overrun: match args.overrun {
+            OverrunArg::Error => Overrun::Refuse,
+            OverrunArg::Clip => Overrun::Clip,
+        },
+        limits: Limits { steps: args.max_steps, cells: args.max_cells, ..Limits::default() },
+    };
+    let fail = |error| input::run_failure(source, &error);
+    if args.boxes {
+        let boxes = told(source, run::run_boxes(graph, &options).map_err(fail)?);
+        output::boxes(path, &boxes)?;
+        let size = boxes.iter().map(|labelled| labelled.bounds).reduce(|all, next| all.union(&next));
+        return Ok(size.map_or(Cell::ZERO, |bounds| bounds.size()));
+    }
+    let grid = told(source, run::run(graph, library, &options).map_err(fail)?);
+    args.writing.grid(path, &grid)?;
+    Ok(grid.size())
+}
+
+/// What was made; the warnings are told.
+fn told<T>(source: &Source, made: Made<T>) -> T {
+    for warning in &made.warnings {
+        let line =
+            warning.error.origin.as_ref().map(|origin| report::line_column(&source.text, origin.span).0);
+        let place = line.map_or(source.name.clone(), |line| format!("{}:{line}", source.name));
+        let times = if warning.times == 1 { String::new() } else { format!(" ({} times)", warning.times) };
+        report::warning(&format!("{place}: {}{times}", warning.error));
+    }
+    made.made
+}
