@@ -209,11 +209,11 @@ fn flower() -> [Cuboid; 3] {
 }
 
 const BLADES: [Cuboid; 5] = [
-    cuboid([3, 0, 3], [5, 9, 5]),
-    cuboid([10, 0, 2], [12, 12, 4]),
-    cuboid([7, 0, 7], [9, 14, 9]),
-    cuboid([3, 0, 11], [5, 11, 13]),
-    cuboid([11, 0, 10], [13, 8, 12]),
+    cuboid([3, 0, 3], [5, 7, 5]),
+    cuboid([10, 0, 2], [12, 9, 4]),
+    cuboid([7, 0, 7], [9, 11, 9]),
+    cuboid([3, 0, 11], [5, 9, 13]),
+    cuboid([11, 0, 10], [13, 6, 12]),
 ];
 
 /// Reads `x y z X Y Z [#color] ; ...`; leaves out what is not so.

@@ -3,9 +3,9 @@ use super::side::Side;
 use crate::space::Cell;
 use glam::{Vec2, Vec3};
 
-/// The height of a block against half its width, for an eye that looks down at 30 degrees:
-/// only then do the edges of the ground run two pixels across for each pixel down.
-const RISE: f32 = 1.2247;
+/// The height of a block against half its width: an eye that looks down at 30 degrees, under which the
+/// edges of the ground run two pixels across for each pixel down, has 1.22. With this, heights are whole too.
+const RISE: f32 = 1.25;
 /// No picture is larger than this either way, in pixels.
 const LARGEST: f32 = 8000.0;
 /// Samples of a picture, all in all: what bounds the memory.
@@ -18,8 +18,6 @@ const MARGIN: f32 = 10.0;
 pub(super) struct Camera {
     /// Half the width of a block in samples.
     pub half: f32,
-    /// The height of a block in samples.
-    pub rise: f32,
     /// Where the low corner of the grid is on the canvas, in samples.
     origin: Vec2,
     pub oversampling: u32,
@@ -28,33 +26,50 @@ pub(super) struct Camera {
     pub height: u32,
 }
 
-impl Camera {
-    /// The camera for a grid of `size`, seen from its south-east corner.
-    pub fn new(size: Cell, scale: Scale) -> Camera {
-        let size = size.max(Cell::ONE).as_vec3();
-        let extent = Vec2::new(size.x + size.z, (size.x + size.z) / 2.0 + size.y * RISE);
-        let pixels = half_width(extent, scale);
-        let area = (extent * pixels + 2.0 * MARGIN).element_product();
-        let oversampling = if area * 4.0 <= MOST_SAMPLES { 2 } else { 1 };
-        Camera::sampled(size, pixels, oversampling)
+/// A rectangle on the picture, in half widths of a block from where the low corner of the grid is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Extent {
+    low: Vec2,
+    high: Vec2,
+}
+
+impl Extent {
+    /// Where a cell is.
+    pub fn of(cell: Cell) -> Extent {
+        let top = flatten((cell + Cell::Y).as_vec3());
+        let bottom = flatten((cell + Cell::X + Cell::Z).as_vec3());
+        Extent { low: top - Vec2::X, high: bottom + Vec2::X }
     }
 
-    fn sampled(size: Vec3, pixels: f32, oversampling: u32) -> Camera {
+    pub fn union(self, other: Extent) -> Extent {
+        Extent { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+}
+
+/// A single cell.
+impl Default for Extent {
+    fn default() -> Extent {
+        Extent::of(Cell::ZERO)
+    }
+}
+
+/// Where a place in the grid is on the picture, in half widths of a block.
+fn flatten(place: Vec3) -> Vec2 {
+    Vec2::new(place.x - place.z, (place.x + place.z) / 2.0 - place.y * RISE)
+}
+
+impl Camera {
+    /// A camera that has all of `extent` in its picture.
+    pub fn new(extent: Extent, scale: Scale) -> Camera {
+        let size = extent.high - extent.low;
+        let pixels = half_width(size, scale);
+        let area = (size * pixels + 2.0 * MARGIN).element_product();
+        let oversampling = if area * 4.0 <= MOST_SAMPLES { 2 } else { 1 };
         let samples = oversampling as f32;
-        // Whole samples give every block the same outline; below some size that would waste too much.
-        let half = if pixels >= 4.0 { (pixels * samples).round() } else { pixels * samples };
-        let rise = if pixels >= 4.0 { (half * RISE).round() } else { half * RISE };
-        let margin = MARGIN * samples;
-        let extent = Vec2::new((size.x + size.z) * half, (size.x + size.z) * half / 2.0 + size.y * rise);
-        let pixels = ((extent + 2.0 * margin) / samples).ceil();
-        Camera {
-            half,
-            rise,
-            origin: Vec2::new(size.z * half, size.y * rise) + margin,
-            oversampling,
-            width: pixels.x as u32,
-            height: pixels.y as u32,
-        }
+        let half = whole(pixels * samples);
+        let [width, height] = (size * half / samples + 2.0 * MARGIN).ceil().to_array().map(|n| n as u32);
+        let origin = MARGIN * samples - extent.low * half;
+        Camera { half, origin, oversampling, width, height }
     }
 
     /// The canvas in samples.
@@ -64,9 +79,7 @@ impl Camera {
 
     /// Where a place in the grid is on the canvas.
     pub fn project(&self, place: Vec3) -> Vec2 {
-        let across = (place.x - place.z) * self.half;
-        let down = (place.x + place.z) * self.half / 2.0 - place.y * self.rise;
-        self.origin + Vec2::new(across, down)
+        self.origin + flatten(place) * self.half
     }
 
     /// What one step along the face's own axes is on the canvas.
@@ -87,12 +100,26 @@ fn half_width(extent: Vec2, scale: Scale) -> f32 {
     wanted.min((LARGEST - 2.0 * MARGIN) / longest)
 }
 
+/// Multiples of four samples give every block the same outline; blocks too small for that need none.
+fn whole(half: f32) -> f32 {
+    if half >= 16.0 { (half / 4.0).floor() * 4.0 } else { half }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn extent(x: i32, y: i32, z: i32) -> Extent {
+        Extent::of(Cell::ZERO)
+            .union(Extent::of(Cell::new(x, y, z) - 1))
+            .union(Extent::of(Cell::new(x, 1, 1) - 1))
+            .union(Extent::of(Cell::new(1, 1, z) - 1))
+            .union(Extent::of(Cell::new(1, y, 1) - 1))
+            .union(Extent::of(Cell::new(x, 1, z) - 1))
+    }
+
     fn size_of(x: i32, y: i32, z: i32, scale: Scale) -> [u32; 2] {
-        let camera = Camera::new(Cell::new(x, y, z), scale);
+        let camera = Camera::new(extent(x, y, z), scale);
         [camera.width, camera.height]
     }
 
@@ -117,7 +144,7 @@ mod tests {
     #[test]
     fn the_whole_grid_is_on_the_canvas() {
         let size = Cell::new(7, 30, 3);
-        let camera = Camera::new(size, Scale::Fit);
+        let camera = Camera::new(extent(7, 30, 3), Scale::Fit);
         let [width, height] = camera.canvas_size().map(|n| n as f32);
         for corner in 0..8 {
             let pick = |axis: usize| if corner >> axis & 1 == 1 { size[axis] as f32 } else { 0.0 };

@@ -101,7 +101,7 @@ impl Face<'_> {
 }
 
 fn bytes(color: Vec3) -> [u8; 3] {
-    color.to_array().map(|channel| channel.clamp(0.0, 255.0) as u8)
+    color.to_array().map(|channel| channel as u8)
 }
 
 /// Calls `draw` for each sample whose middle lies on `face`, column by column.
@@ -114,6 +114,7 @@ fn for_each_spot(camera: &Camera, face: &Face<'_>, size: [usize; 2], mut draw: i
     let origin = camera.project(face.origin);
     let shear = -along_v.x / along_u.x;
     let down = along_v.y + shear * along_u.y;
+    let per_row = 1.0 / down;
     let depth = Depth::of(face);
     let columns = across(origin.x, [along_u, along_v], face.extent, size[0]);
     for x in columns {
@@ -124,7 +125,7 @@ fn for_each_spot(camera: &Camera, face: &Face<'_>, size: [usize; 2], mut draw: i
         let (from, to) = if shear == 0.0 { (v0, v1) } else { (v0.max(u0 - k), v1.min(u1 - k)) };
         let top = origin.y + k * along_u.y;
         for y in samples(top + from * down, top + to * down, size[1]) {
-            let v = (y as f32 + 0.5 - top) / down;
+            let v = (y as f32 + 0.5 - top) * per_row;
             let u = k + shear * v;
             draw(Spot { at: y * size[0] + x, u, v, depth: depth.at(u, v) });
         }

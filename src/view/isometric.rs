@@ -2,7 +2,7 @@ use super::camera::Camera;
 use super::canvas::{Canvas, Face};
 use super::develop::develop;
 use super::options::ViewOptions;
-use super::scene::{Look, Part, Scene, Sight, turned_size};
+use super::scene::{Look, Part, Scene, Sight};
 use super::side::Side;
 use super::texture::noise;
 use crate::grid::Grid;
@@ -13,11 +13,14 @@ use image::RgbaImage;
 /// Light that a corner loses for each of up to three blocks that crowd it.
 const CROWDING: f32 = 0.13;
 
+/// Blocks with less than this many samples from their middle to their side are drawn as plain boxes.
+const SMALLEST_DETAIL: f32 = 4.0;
+
 /// A picture of a grid from above one of its corners, in parallel projection.
 pub fn isometric(grid: &Grid, options: &ViewOptions) -> RgbaImage {
-    let size = turned_size(grid.size(), options.corner.turn());
-    let camera = Camera::new(size, options.scale);
-    let scene = Scene::new(grid, options.corner, &camera);
+    let scene = Scene::new(grid, options.corner);
+    let camera = Camera::new(scene.extent().unwrap_or_default(), options.scale);
+    let scene = if camera.half < SMALLEST_DETAIL { scene.coarse() } else { scene };
     let [red, green, blue, _] = options.background.0;
     let mut canvas = Canvas::new(&camera, [red, green, blue]);
     let clear = draw_opaque(&scene, &camera, &mut canvas);
@@ -114,4 +117,111 @@ fn corners(scene: &Scene<'_>, cell: Cell, side: Side) -> [[f32; 2]; 2] {
         }
     };
     [-1, 1].map(|dv| [-1, 1].map(|du| 1.0 - CROWDING * crowd(du, dv) as f32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::block::{BlockState, all};
+    use crate::view::{Corner, Scale};
+
+    /// A grid with one block every other cell.
+    fn apart(states: &[BlockState]) -> Grid {
+        let side = (states.len() as f32).sqrt().ceil() as usize;
+        let mut grid = Grid::new(Cell::new(2 * side as i32, 1, 2 * side as i32));
+        for (at, state) in states.iter().enumerate() {
+            let id = grid.intern(state).unwrap();
+            grid.set(Cell::new(2 * (at % side) as i32, 0, 2 * (at / side) as i32), id);
+        }
+        grid
+    }
+
+    fn row(names: &[&str]) -> Grid {
+        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
+        for (x, name) in (0..).zip(names) {
+            let id = grid.intern(&name.parse().unwrap()).unwrap();
+            grid.set(Cell::new(x, 0, 0), id);
+        }
+        grid
+    }
+
+    fn from(corner: Corner) -> ViewOptions {
+        ViewOptions { corner, ..ViewOptions::default() }
+    }
+
+    /// The mean place of the pixels that are much more red than green, from the left.
+    fn middle_of_red(image: &RgbaImage) -> f32 {
+        let red = image.enumerate_pixels().filter(|(.., pixel)| pixel.0[0] / 2 > pixel.0[1]);
+        let columns: Vec<f32> = red.map(|(x, ..)| x as f32).collect();
+        columns.iter().sum::<f32>() / columns.len() as f32
+    }
+
+    #[test]
+    fn every_known_block_shows_unless_it_is_invisible() {
+        let background = ViewOptions::PAPER.0;
+        for known in all() {
+            let state = known.default_state();
+            let image = isometric(&apart(std::slice::from_ref(&state)), &ViewOptions::default());
+            let shows = image.pixels().any(|pixel| pixel.0 != background);
+            // Vines and the like have no face in their default state.
+            let invisible = crate::block::boxes(&state).is_empty();
+            assert_eq!(shows, !invisible, "{}", known.name());
+        }
+    }
+
+    #[test]
+    fn the_same_grid_gives_the_same_picture() {
+        let states: Vec<BlockState> = all().iter().step_by(7).map(|known| known.default_state()).collect();
+        let grid = apart(&states);
+        let first = isometric(&grid, &ViewOptions::default());
+        assert!(first == isometric(&grid.clone(), &ViewOptions::default()));
+        assert!(first != isometric(&grid, &from(Corner::NorthWest)));
+    }
+
+    #[test]
+    fn east_is_to_the_right_from_the_south_and_to_the_left_from_the_north() {
+        let grid = row(&["stone", "stone", "stone", "redstone_block"]);
+        for corner in Corner::ALL {
+            let image = isometric(&grid, &from(corner));
+            let right = middle_of_red(&image) > image.width() as f32 / 2.0;
+            assert_eq!(right, matches!(corner, Corner::SouthEast | Corner::SouthWest), "{corner:?}");
+        }
+    }
+
+    #[test]
+    fn near_blocks_hide_far_ones_but_glass_does_not() {
+        let redness = |near: &str| {
+            let image = isometric(&row(&["redstone_block", near]), &ViewOptions::default());
+            image.pixels().filter(|pixel| i32::from(pixel.0[0]) > i32::from(pixel.0[1]) + 40).count()
+        };
+        assert!(redness("glass") > redness("stone"));
+    }
+
+    #[test]
+    fn empty_grids_and_single_blocks_have_a_picture() {
+        for grid in [Grid::new(Cell::ZERO), Grid::new(Cell::splat(5)), row(&["stone"])] {
+            let image = isometric(&grid, &ViewOptions::default());
+            assert!(image.width() > 20 && image.height() > 20);
+        }
+    }
+
+    #[test]
+    fn air_around_a_building_does_not_make_it_smaller() {
+        let small = row(&["stone", "oak_planks"]);
+        let mut large = Grid::new(Cell::splat(9));
+        for x in 0..2 {
+            let id = large.intern(small.get(Cell::new(x, 0, 0))).unwrap();
+            large.set(Cell::new(x + 4, 3, 5), id);
+        }
+        let options = ViewOptions { scale: Scale::BlockWidth(32), ..ViewOptions::default() };
+        assert_eq!(isometric(&large, &options).dimensions(), isometric(&small, &options).dimensions());
+    }
+
+    #[test]
+    fn a_clear_background_stays_clear() {
+        let options = ViewOptions { background: ViewOptions::CLEAR, ..ViewOptions::default() };
+        let image = isometric(&row(&["stone"]), &options);
+        assert_eq!(image.get_pixel(0, 0).0[3], 0);
+        assert_eq!(image.get_pixel(image.width() / 2, image.height() / 2).0[3], 255);
+    }
 }

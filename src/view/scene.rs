@@ -1,15 +1,12 @@
-use super::camera::Camera;
+use super::camera::Extent;
 use super::options::Corner;
 use super::side::Side;
-use super::texture::{Texture, is_cut_end, plain, texture};
+use super::texture::{Texture, is_cut_end, plain, textures};
 use crate::block::{BlockState, Cuboid, Family, Rgba, Shape, boxes, color, shape};
 use crate::grid::Grid;
 use crate::space::{Cell, Turn};
 use glam::Vec3;
-use ndarray::{ArrayView3, Axis};
-
-/// Blocks narrower than this many samples are drawn as one box each, without textures.
-const SMALLEST_DETAIL: f32 = 8.0;
+use ndarray::{ArrayView1, ArrayView3, Axis, s};
 
 /// A grid, turned so that the camera stands in the south-east, with what its blocks look like.
 pub(super) struct Scene<'a> {
@@ -49,21 +46,46 @@ pub(super) struct Part {
 }
 
 impl<'a> Scene<'a> {
-    pub fn new(grid: &'a Grid, corner: Corner, camera: &Camera) -> Scene<'a> {
+    pub fn new(grid: &'a Grid, corner: Corner) -> Scene<'a> {
         let turn = corner.turn();
-        let looks = grid.palette().states().iter().map(|state| look(&state.turned(turn), camera)).collect();
+        let looks = grid.palette().states().iter().map(|state| look(&state.turned(turn))).collect();
         Scene { cells: turned(grid.cells().view(), turn), looks }
     }
 
-    /// All cells that are not empty with their palette numbers, from the back to the front of each layer.
+    /// All cells that are not empty with their palette numbers, roughly from the front to the back:
+    /// what is drawn first hides most of the rest, and what is hidden costs little.
     pub fn cells(&self) -> impl Iterator<Item = (Cell, u16)> {
-        let rows = self.cells.rows().into_iter();
-        let depth = self.cells.dim().1;
-        rows.enumerate().flat_map(move |(at, row)| {
-            let (y, z) = ((at / depth) as i32, (at % depth) as i32);
-            let found = row.into_iter().enumerate().filter(|(_, id)| self.sight(**id) != Sight::Empty);
-            found.map(move |(x, id)| (Cell::new(x as i32, y, z), *id)).collect::<Vec<_>>()
+        self.rows().flat_map(|(y, z, row)| {
+            let found = row.into_iter().enumerate().rev().filter(|(_, id)| self.sight(**id) != Sight::Empty);
+            found.map(move |(x, id)| (Cell::new(x as i32, y, z), *id))
         })
+    }
+
+    /// Where the blocks are on a picture.
+    pub fn extent(&self) -> Option<Extent> {
+        let ends = self.rows().flat_map(|(y, z, row)| {
+            let seen = |id: &u16| self.sight(*id) != Sight::Empty;
+            let first = row.iter().position(seen);
+            let last = first.and_then(|_| row.iter().rposition(seen));
+            first.into_iter().chain(last).map(move |x| Cell::new(x as i32, y, z))
+        });
+        ends.map(Extent::of).reduce(Extent::union)
+    }
+
+    /// The rows along x with their y and z, the last first.
+    fn rows(&self) -> impl Iterator<Item = (i32, i32, ArrayView1<'_, u16>)> {
+        let (height, depth, _) = self.cells.dim();
+        let places = (0..height).rev().flat_map(move |y| (0..depth).rev().map(move |z| (y, z)));
+        places.map(|(y, z)| (y as i32, z as i32, self.cells.slice(s![y, z, ..])))
+    }
+
+    /// The same scene with a single plain box for each block.
+    pub fn coarse(mut self) -> Scene<'a> {
+        for look in &mut self.looks {
+            let parts = std::mem::take(&mut look.parts);
+            look.parts = parts.into_iter().reduce(merge).into_iter().map(blunt).collect();
+        }
+        self
     }
 
     pub fn look(&self, id: u16) -> &Look {
@@ -85,11 +107,6 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The size of a grid after a turn.
-pub(super) fn turned_size(size: Cell, turn: Turn) -> Cell {
-    turn.apply(size).abs()
-}
-
 /// The cells of a grid after a turn about the vertical, indexed `[y, z, x]` as before.
 fn turned(cells: ArrayView3<'_, u16>, turn: Turn) -> ArrayView3<'_, u16> {
     const Z: Axis = Axis(1);
@@ -104,20 +121,35 @@ fn turned(cells: ArrayView3<'_, u16>, turn: Turn) -> ArrayView3<'_, u16> {
     cells
 }
 
-fn look(state: &BlockState, camera: &Camera) -> Look {
+fn look(state: &BlockState) -> Look {
     let shape = shape(state);
-    let parts: Vec<Part> = solids(state).iter().map(|cuboid| part(state, cuboid)).collect();
-    let sight = match (parts.is_empty(), color(state).is_opaque(), shape) {
+    let own = color(state);
+    let parts = parts(state, shape, own);
+    let sight = match (parts.is_empty(), own.is_opaque(), shape) {
         (true, ..) => Sight::Empty,
         (_, true, Shape::Full) => Sight::Solid,
         (_, _, Shape::Fluid(_)) => Sight::Fluid,
         (_, true, _) => Sight::Open,
         (_, false, _) => Sight::Clear,
     };
-    let detailed = 2.0 * camera.half >= SMALLEST_DETAIL;
-    let parts =
-        if detailed { parts } else { parts.into_iter().reduce(merge).into_iter().map(blunt).collect() };
     Look { sight, parts }
+}
+
+fn parts(state: &BlockState, shape: Shape, own: Rgba) -> Vec<Part> {
+    // What is cut from planks or bricks looks like them, and so do the ends of a trunk.
+    let family = Family::of(state.name());
+    let full = family.as_ref().map_or(state, |family| &family.full);
+    let material = if shape == Shape::Full { state } else { full };
+    let textures = textures(state, material.short_name());
+    let colors = Side::ALL.map(|side| if is_cut_end(state, side) { color(full) } else { own });
+    let place = |corner: [u8; 3]| Vec3::from(corner.map(f32::from)) / 16.0;
+    let part = |cuboid: Cuboid| Part {
+        low: place(cuboid.low),
+        high: place(cuboid.high),
+        colors: cuboid.color.map_or(colors, |color| [color; 3]),
+        textures,
+    };
+    solids(state).into_iter().map(part).collect()
 }
 
 /// The boxes of a block, with soil under the turf.
@@ -131,23 +163,7 @@ fn solids(state: &BlockState) -> Vec<Cuboid> {
     vec![below, Cuboid { low: [0, 12, 0], high: [16, 16, 16], color: None }]
 }
 
-fn part(state: &BlockState, cuboid: &Cuboid) -> Part {
-    let place = |corner: [u8; 3]| Vec3::from(corner.map(f32::from)) / 16.0;
-    let own = color(state);
-    let cut = Family::of(state.name()).map_or(own, |family| color(&family.full));
-    Part {
-        low: place(cuboid.low),
-        high: place(cuboid.high),
-        colors: Side::ALL.map(|side| match cuboid.color {
-            Some(color) => color,
-            None if is_cut_end(state, side) => cut,
-            None => own,
-        }),
-        textures: Side::ALL.map(|side| texture(state, side)),
-    }
-}
-
-/// The box around two parts, in the colors of the first.
+/// The box around two parts, in the colors of the second.
 fn merge(a: Part, b: Part) -> Part {
     Part { low: a.low.min(b.low), high: a.high.max(b.high), ..b }
 }
@@ -172,7 +188,7 @@ mod tests {
                 let at = turn.apply(Cell::new(x as i32, y as i32, z as i32)) - far.min(Cell::ZERO);
                 assert_eq!(view.get([at.y as usize, at.z as usize, at.x as usize]), Some(id));
             }
-            let dim = turned_size(size, turn);
+            let dim = turn.apply(size).abs();
             assert_eq!(view.dim(), (dim.y as usize, dim.z as usize, dim.x as usize));
         }
     }

@@ -25,11 +25,14 @@ pub fn sheet(tiles: &[(String, RgbaImage)]) -> RgbaImage {
     sheet
 }
 
-/// The number of columns that makes the sheet about four to three.
+/// The number of columns that brings the sheet closest to four to three.
 fn columns(tiles: u32, [width, height]: [u32; 2]) -> u32 {
-    let across = |columns: u32| columns * (width + GAP);
-    let down = |columns: u32| tiles.div_ceil(columns) * (height + GAP);
-    (1..=tiles).find(|&columns| 3 * across(columns) >= 4 * down(columns)).unwrap_or(tiles).max(1)
+    let skew = |columns: u32| {
+        let across = f64::from(3 * columns * (width + GAP));
+        let down = f64::from(4 * tiles.div_ceil(columns) * (height + GAP));
+        across.max(down) / across.min(down)
+    };
+    (1..=tiles).min_by(|&a, &b| skew(a).total_cmp(&skew(b))).unwrap_or(1)
 }
 
 /// Puts a picture in the middle of its tile, and the caption under it.

@@ -1,7 +1,7 @@
 //! Sixteen by sixteen texels of light and shade for each kind of material, drawn by rule.
 
 use super::side::Side;
-use crate::block::{BlockState, Family, Shape, shape};
+use crate::block::BlockState;
 use crate::space::Axis;
 use std::sync::OnceLock;
 
@@ -28,10 +28,11 @@ enum Pattern {
     Leaves,
     Weave,
     Books,
+    Slab,
     Frame,
 }
 
-const PATTERNS: [Pattern; 13] = [
+const PATTERNS: [Pattern; 14] = [
     Pattern::Plain,
     Pattern::Grain,
     Pattern::Boards,
@@ -44,6 +45,7 @@ const PATTERNS: [Pattern; 13] = [
     Pattern::Leaves,
     Pattern::Weave,
     Pattern::Books,
+    Pattern::Slab,
     Pattern::Frame,
 ];
 
@@ -65,7 +67,7 @@ const WORDS: [(&str, Pattern); 30] = [
     ("tile", Pattern::Tiles),
     ("prismarine", Pattern::Tiles),
     ("purpur", Pattern::Tiles),
-    ("polished", Pattern::Frame),
+    ("polished", Pattern::Slab),
     ("hay", Pattern::Stripes),
     ("bamboo", Pattern::Stripes),
     ("wool", Pattern::Weave),
@@ -81,24 +83,14 @@ const WORDS: [(&str, Pattern); 30] = [
     ("ore", Pattern::Cobble),
 ];
 
-/// The texture of one side of a block.
-pub(super) fn texture(state: &BlockState, side: Side) -> &'static Texture {
-    let name = material(state);
-    let pattern = trunk(&name, state, side).unwrap_or_else(|| pattern(&name));
-    &textures()[pattern as usize]
+/// The textures of the three sides of a block that is cut from the block called `material`.
+pub(super) fn textures(state: &BlockState, material: &str) -> [&'static Texture; 3] {
+    let pattern = pattern(material);
+    Side::ALL.map(|side| &drawn()[trunk(state, side).unwrap_or(pattern) as usize])
 }
 
 pub(super) fn plain() -> &'static Texture {
-    &textures()[Pattern::Plain as usize]
-}
-
-/// The name of the block that this one is cut from, as stairs are from planks.
-fn material(state: &BlockState) -> String {
-    let name = state.short_name();
-    if shape(state) == Shape::Full {
-        return name.to_owned();
-    }
-    Family::of(name).map_or_else(|| name.to_owned(), |family| family.full.short_name().to_owned())
+    &drawn()[Pattern::Plain as usize]
 }
 
 fn pattern(name: &str) -> Pattern {
@@ -106,7 +98,8 @@ fn pattern(name: &str) -> Pattern {
 }
 
 /// Bark runs along the axis of a trunk, rings show at its ends.
-fn trunk(name: &str, state: &BlockState, side: Side) -> Option<Pattern> {
+fn trunk(state: &BlockState, side: Side) -> Option<Pattern> {
+    let name = state.short_name();
     let ends = ["_log", "_stem", "_pillar", "basalt"].iter().any(|word| name.ends_with(word));
     let bark = ends || name.ends_with("_wood") || name.ends_with("_hyphae");
     let axis = match state.get("axis") {
@@ -125,10 +118,10 @@ fn trunk(name: &str, state: &BlockState, side: Side) -> Option<Pattern> {
 
 /// Whether this side of a block is the cut end of a trunk.
 pub(super) fn is_cut_end(state: &BlockState, side: Side) -> bool {
-    trunk(state.short_name(), state, side) == Some(Pattern::Rings)
+    trunk(state, side) == Some(Pattern::Rings)
 }
 
-fn textures() -> &'static [Texture] {
+fn drawn() -> &'static [Texture] {
     static TEXTURES: OnceLock<Vec<Texture>> = OnceLock::new();
     TEXTURES.get_or_init(|| PATTERNS.iter().map(|&pattern| draw(pattern)).collect())
 }
@@ -157,6 +150,13 @@ fn texel(pattern: Pattern, u: i32, v: i32) -> u8 {
         Pattern::Leaves => noise(u / 2, v / 2, 22) + noise(u, v, 10),
         Pattern::Weave => noise(u, v, 5),
         Pattern::Books => books(u, v),
+        Pattern::Slab => {
+            if border(u, v) {
+                -12
+            } else {
+                noise(u, v, 4)
+            }
+        }
         Pattern::Frame => {
             if border(u, v) {
                 i32::from(FRAME)
@@ -242,18 +242,11 @@ mod tests {
 
     #[test]
     fn bark_runs_along_the_trunk() {
-        let of = |text: &str, side: Side| trunk("oak_log", &text.parse().unwrap(), side);
+        let of = |text: &str, side: Side| trunk(&text.parse().unwrap(), side);
         assert_eq!(of("oak_log", Side::Top), Some(Pattern::Rings));
         assert_eq!(of("oak_log", Side::Left), Some(Pattern::Stripes));
         assert_eq!(of("oak_log[axis=x]", Side::Right), Some(Pattern::Rings));
         assert_eq!(of("oak_log[axis=x]", Side::Left), Some(Pattern::Rows));
         assert_eq!(of("oak_log[axis=z]", Side::Top), Some(Pattern::Stripes));
-    }
-
-    #[test]
-    fn what_is_cut_from_planks_looks_like_planks() {
-        let of = |text: &str| texture(&text.parse().unwrap(), Side::Left);
-        assert_eq!(of("spruce_stairs"), of("spruce_planks"));
-        assert_ne!(of("stone_brick_slab"), of("spruce_planks"));
     }
 }
