@@ -50,7 +50,7 @@ const PATTERNS: [Pattern; 14] = [
 ];
 
 /// What parts of names say of the material, first match first.
-const WORDS: [(&str, Pattern); 30] = [
+const WORDS: [(&str, Pattern); 32] = [
     ("glass", Pattern::Frame),
     ("planks", Pattern::Boards),
     ("chest", Pattern::Boards),
@@ -72,15 +72,17 @@ const WORDS: [(&str, Pattern); 30] = [
     ("bamboo", Pattern::Stripes),
     ("wool", Pattern::Weave),
     ("carpet", Pattern::Weave),
-    ("bed", Pattern::Weave),
+    ("_bed", Pattern::Weave),
     ("banner", Pattern::Weave),
     ("dirt", Pattern::Grain),
     ("grass", Pattern::Grain),
     ("stone", Pattern::Grain),
     ("sand", Pattern::Grain),
-    ("ite", Pattern::Grain),
+    ("diorite", Pattern::Grain),
+    ("granite", Pattern::Grain),
+    ("andesite", Pattern::Grain),
     ("tuff", Pattern::Grain),
-    ("ore", Pattern::Cobble),
+    ("_ore", Pattern::Cobble),
 ];
 
 /// The textures of the three sides of a block that is cut from the block called `material`.
