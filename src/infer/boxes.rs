@@ -65,12 +65,20 @@ fn check(container: Bounds, boxes: &[(Bounds, u32)]) -> Result<(), BadBoxes> {
     Ok(())
 }
 
-/// The extent of one box along one axis.
+/// A box, or what cuts have left of one. Pieces go by their number.
+#[derive(Clone, Copy)]
+struct Piece {
+    /// The index of the box in the input.
+    index: u32,
+    label: u32,
+}
+
+/// The extent of one piece along one axis.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 struct Span {
     low: i32,
     high: i32,
-    /// The number of the piece of a box that this belongs to.
+    /// The number of the piece.
     id: u32,
 }
 
@@ -88,7 +96,23 @@ enum Division {
     /// At every clear plane of this axis.
     Clear(Axis),
     /// At one plane, through boxes.
-    Through(Axis, i32),
+    Through(Plane),
+}
+
+/// The plane across `axis` below the cells at `at`.
+#[derive(Clone, Copy)]
+struct Plane {
+    axis: Axis,
+    at: i32,
+}
+
+/// Which sides of a plane a piece lies on.
+#[derive(Clone, Copy)]
+enum Side {
+    Below,
+    Above,
+    /// The number of the piece that its upper half becomes.
+    Both(u32),
 }
 
 /// Work to do, on a stack. The last part of a split is done first: its boxes then stand at the end of
@@ -116,10 +140,8 @@ impl Place {
 }
 
 struct Splitter<'a> {
-    boxes: &'a [(Bounds, u32)],
     tree: &'a mut TreeBuilder,
-    /// By piece: the index of the box it is of.
-    origin: Vec<u32>,
+    pieces: Vec<Piece>,
     /// By axis: the spans of all containers still to do, one container after the other, by low end.
     orders: [Vec<Span>; 3],
     tasks: Vec<Task>,
@@ -128,24 +150,24 @@ struct Splitter<'a> {
     groups: Vec<Group>,
     /// By piece: which part of the split at hand it goes to.
     part_of: Vec<u32>,
+    /// By piece: where it lies from the cut at hand.
+    sides: Vec<Side>,
     cursors: Vec<usize>,
     scratch: Vec<Span>,
 }
 
 impl<'a> Splitter<'a> {
-    fn new(boxes: &'a [(Bounds, u32)], tree: &'a mut TreeBuilder) -> Splitter<'a> {
-        let mut origin: Vec<u32> = (0..boxes.len() as u32).collect();
-        // Pieces are numbered along x, so that what is near in space is near in memory.
-        origin.sort_unstable_by_key(|&i| boxes[i as usize].0.min.x);
+    fn new(boxes: &[(Bounds, u32)], tree: &'a mut TreeBuilder) -> Splitter<'a> {
+        let pieces = numbered_along_x(boxes);
         Splitter {
-            boxes,
             tree,
-            orders: Axis::ALL.map(|axis| sorted_spans(boxes, &origin, axis)),
-            part_of: vec![0; origin.len()],
-            origin,
+            orders: Axis::ALL.map(|axis| sorted_spans(boxes, &pieces, axis)),
+            part_of: vec![0; pieces.len()],
+            pieces,
             tasks: Vec::new(),
             parts: Vec::new(),
             groups: Vec::new(),
+            sides: Vec::new(),
             cursors: Vec::new(),
             scratch: Vec::new(),
         }
@@ -177,7 +199,8 @@ impl<'a> Splitter<'a> {
         self.parts.push(Part { len, child });
     }
 
-    /// `settled`: an axis already known to have no clear plane.
+    /// Divides the container, or makes a leaf of its last box. `settled` is an axis already known to have
+    /// no clear plane.
     fn container(&mut self, start: usize, place: Place, settled: Option<Axis>) -> Result<(), BadBoxes> {
         if self.orders[0].len() - start == 1 {
             self.leaf(start, place);
@@ -185,7 +208,7 @@ impl<'a> Splitter<'a> {
         }
         match self.division(start, place.axis, settled)? {
             Division::Clear(axis) => self.split(start, place, axis),
-            Division::Through(axis, at) => self.cut(start, place, axis, at),
+            Division::Through(plane) => self.cut(start, place, plane),
         }
         Ok(())
     }
@@ -193,7 +216,7 @@ impl<'a> Splitter<'a> {
     fn leaf(&mut self, start: usize, place: Place) {
         let place = self.trim(start, place, &Axis::ALL);
         let id = self.orders[0][start].id;
-        let child = self.tree.leaf(self.boxes[self.origin[id as usize] as usize].1);
+        let child = self.tree.leaf(self.pieces[id as usize].label);
         self.parts.push(Part { len: place.len(), child });
         self.orders.iter_mut().for_each(|order| order.truncate(start));
     }
@@ -206,13 +229,13 @@ impl<'a> Splitter<'a> {
             }
         }
         least_cut(self.orders.each_ref().map(|order| &order[start..]))
-            .map(|(axis, at)| Division::Through(axis, at))
+            .map(Division::Through)
             .ok_or_else(|| self.overlap(start))
     }
 
     /// Where several boxes have no plane between them, they are all one box.
     fn overlap(&self, start: usize) -> BadBoxes {
-        let [a, b] = [0, 1].map(|i| self.origin[self.orders[0][start + i].id as usize] as usize);
+        let [a, b] = [0, 1].map(|i| self.pieces[self.orders[0][start + i].id as usize].index as usize);
         BadBoxes::Overlap(a.min(b), a.max(b))
     }
 
@@ -232,14 +255,14 @@ impl<'a> Splitter<'a> {
     }
 
     /// Cuts the container in two at one plane, and with it the boxes that cross the plane.
-    fn cut(&mut self, start: usize, place: Place, axis: Axis, at: i32) {
+    fn cut(&mut self, start: usize, place: Place, plane: Plane) {
         let place = self.trim(start, place, &Axis::ALL);
-        let place = self.open(place, axis);
-        let middle = self.cut_orders(start, axis, at);
-        let [low, high] = [place.cell.min, place.cell.max].map(|corner| axis.of(corner));
-        for (start, low, high) in [(start, low, at), (middle, at, high)] {
-            let place = Place { cell: place.cell.slab(axis, low, high), axis };
-            self.tasks.push(Task::Container { start, place, settled: None });
+        let Place { cell, axis } = self.open(place, plane.axis);
+        let middle = self.cut_orders(start, plane);
+        let below = cell.slab(axis, axis.of(cell.min), plane.at);
+        let above = cell.slab(axis, plane.at, axis.of(cell.max));
+        for (start, cell) in [(start, below), (middle, above)] {
+            self.tasks.push(Task::Container { start, place: Place { cell, axis }, settled: None });
         }
     }
 
@@ -287,93 +310,75 @@ impl<'a> Splitter<'a> {
     }
 }
 
-/// Which sides of a cut a piece lies on.
-enum Side {
-    Low,
-    High,
-    /// The number of the piece that its high half becomes.
-    Both(u32),
-}
-
 impl Splitter<'_> {
-    /// Cuts all three orders from `start` on at a plane: first what lies below it, then what lies above.
+    /// Cuts all three orders from `start` on: first what lies below the plane, then what lies above.
     /// Returns where the second begins.
-    fn cut_orders(&mut self, start: usize, axis: Axis, at: i32) -> usize {
-        let first_new = self.number_halves(start, axis, at);
-        let mut middle = start;
-        for order in Axis::ALL {
-            middle = self.cut_order(start, order, first_new, |span| {
-                let halves = [Span { high: at, ..span }, Span { low: at, ..span }];
-                if order == axis { halves } else { [span, span] }
-            });
-        }
-        middle
+    fn cut_orders(&mut self, start: usize, plane: Plane) -> usize {
+        self.note_sides(start, plane);
+        let middles = Axis::ALL.map(|along| self.cut_order(start, along, plane));
+        middles[0]
     }
 
-    /// Notes by piece which side of the plane it lies on, and makes a new piece of each high half.
-    /// Returns the number of the first new piece.
-    fn number_halves(&mut self, start: usize, axis: Axis, at: i32) -> u32 {
-        let first_new = self.origin.len() as u32;
-        for span in &self.orders[axis.index()][start..] {
-            self.part_of[span.id as usize] = match (span.low < at, span.high > at) {
-                (true, false) => 0,
-                (false, _) => 1,
-                (true, true) => {
-                    self.origin.push(self.origin[span.id as usize]);
-                    self.origin.len() as u32 + 1 - first_new
-                }
+    /// Notes on which sides each piece lies, and makes a new piece of each upper half.
+    fn note_sides(&mut self, start: usize, plane: Plane) {
+        self.sides.resize(self.pieces.len(), Side::Below);
+        for span in &self.orders[plane.axis.index()][start..] {
+            self.sides[span.id as usize] = match (span.low < plane.at, span.high > plane.at) {
+                (true, false) => Side::Below,
+                (false, _) => Side::Above,
+                (true, true) => Side::Both(self.pieces.len() as u32),
             };
-        }
-        self.part_of.resize(self.origin.len(), 0);
-        first_new
-    }
-
-    fn side(&self, id: u32, first_new: u32) -> Side {
-        match self.part_of[id as usize] {
-            0 => Side::Low,
-            1 => Side::High,
-            n => Side::Both(first_new + n - 2),
-        }
-    }
-
-    fn cut_order(
-        &mut self,
-        start: usize,
-        axis: Axis,
-        first_new: u32,
-        halves: impl Fn(Span) -> [Span; 2],
-    ) -> usize {
-        let mut order = std::mem::take(&mut self.orders[axis.index()]);
-        self.scratch.clear();
-        let mut end = start;
-        for i in start..order.len() {
-            let [low, high] = halves(order[i]);
-            match self.side(order[i].id, first_new) {
-                Side::High => {
-                    self.scratch.push(order[i]);
-                    continue;
-                }
-                Side::Low => order[end] = order[i],
-                Side::Both(id) => {
-                    order[end] = low;
-                    self.scratch.push(Span { id, ..high });
-                }
+            if let Side::Both(_) = self.sides[span.id as usize] {
+                self.pieces.push(self.pieces[span.id as usize]);
             }
-            end += 1;
+        }
+        self.part_of.resize(self.pieces.len(), 0);
+    }
+
+    fn cut_order(&mut self, start: usize, along: Axis, plane: Plane) -> usize {
+        let order = &mut self.orders[along.index()];
+        let mut end = start;
+        self.scratch.clear();
+        for i in start..order.len() {
+            let span = order[i];
+            let (below, above) = halves(span, self.sides[span.id as usize], along, plane);
+            if let Some(below) = below {
+                order[end] = below;
+                end += 1;
+            }
+            self.scratch.extend(above);
         }
         order.truncate(end);
         order.extend_from_slice(&self.scratch);
-        self.orders[axis.index()] = order;
         end
     }
 }
 
-fn sorted_spans(boxes: &[(Bounds, u32)], origin: &[u32], axis: Axis) -> Vec<Span> {
-    let span = |(id, &index): (usize, &u32)| {
-        let bounds = boxes[index as usize].0;
-        Span { low: axis.of(bounds.min), high: axis.of(bounds.max), id: id as u32 }
+/// What a plane leaves below and above of a span along an axis.
+fn halves(span: Span, side: Side, along: Axis, plane: Plane) -> (Option<Span>, Option<Span>) {
+    match side {
+        Side::Below => (Some(span), None),
+        Side::Above => (None, Some(span)),
+        Side::Both(id) if along == plane.axis => {
+            (Some(Span { high: plane.at, ..span }), Some(Span { low: plane.at, id, ..span }))
+        }
+        Side::Both(id) => (Some(span), Some(Span { id, ..span })),
+    }
+}
+
+/// What is near in space is then near in memory.
+fn numbered_along_x(boxes: &[(Bounds, u32)]) -> Vec<Piece> {
+    let mut along_x: Vec<(i32, u32)> = boxes.iter().map(|(bounds, _)| bounds.min.x).zip(0..).collect();
+    along_x.sort_unstable();
+    along_x.into_iter().map(|(_, index)| Piece { index, label: boxes[index as usize].1 }).collect()
+}
+
+fn sorted_spans(boxes: &[(Bounds, u32)], pieces: &[Piece], axis: Axis) -> Vec<Span> {
+    let span = |(piece, id): (&Piece, u32)| {
+        let bounds = boxes[piece.index as usize].0;
+        Span { low: axis.of(bounds.min), high: axis.of(bounds.max), id }
     };
-    let mut spans: Vec<Span> = origin.iter().enumerate().map(span).collect();
+    let mut spans: Vec<Span> = pieces.iter().zip(0..).map(span).collect();
     if axis != Axis::X {
         spans.sort_unstable_by_key(|span| span.low);
     }
@@ -414,16 +419,13 @@ fn extent(order: &[Span]) -> (i32, i32) {
 }
 
 /// The plane inside that cuts the fewest boxes; `None` where no box ends or begins inside.
-fn least_cut(orders: [&[Span]; 3]) -> Option<(Axis, i32)> {
-    [Axis::Y, Axis::X, Axis::Z]
-        .into_iter()
-        .enumerate()
-        .filter_map(|(rank, axis)| {
-            let (cut, imbalance, at) = least_cut_along(orders[axis.index()])?;
-            Some(((cut, imbalance, rank, at), (axis, at)))
-        })
-        .min_by_key(|&(cost, _)| cost)
-        .map(|(_, plane)| plane)
+fn least_cut(orders: [&[Span]; 3]) -> Option<Plane> {
+    let best = |(rank, axis): (usize, Axis)| {
+        let (cut, imbalance, at) = least_cut_along(orders[axis.index()])?;
+        Some(((cut, imbalance, rank), Plane { axis, at }))
+    };
+    let planes = [Axis::Y, Axis::X, Axis::Z].into_iter().enumerate().filter_map(best);
+    planes.min_by_key(|&(cost, _)| cost).map(|(_, plane)| plane)
 }
 
 /// How many boxes the best plane across this order cuts, by how many boxes its sides differ, and where.

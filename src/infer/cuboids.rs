@@ -5,8 +5,8 @@ use crate::grid::Grid;
 use crate::space::{Bounds, Cell};
 use std::collections::BTreeMap;
 
-/// Looks at single cells that the search for the largest cuboids may spend, some seconds at most.
-const SEARCH_STEPS: u64 = 1 << 29;
+/// Looks at single cells that the search for the largest cuboids may spend: about half a second.
+const SEARCH_STEPS: u64 = 1 << 27;
 
 /// Parts all cells but air into cuboids of one block state, each with its palette number.
 ///
@@ -34,7 +34,7 @@ fn take_largest(free: &mut Free, steps: u64) -> Vec<(Bounds, u32)> {
     let mut found = Vec::new();
     let mut queue = free.corners();
     while let Some((volume, mut corners)) = queue.pop_last() {
-        corners.sort_unstable();
+        corners.sort();
         for corner in corners {
             if free.steps >= steps {
                 return found;
@@ -86,8 +86,8 @@ struct Free {
     runs: Vec<u32>,
     /// Looks at single cells so far.
     steps: u64,
-    /// By distance on z from the corner at hand: the run common to all rows up to the height at hand.
-    common: Vec<usize>,
+    /// By distance on z from the corner at hand: the run common to the rows of all layers so far.
+    common: Vec<u32>,
 }
 
 impl Free {
@@ -115,7 +115,7 @@ impl Free {
             beside[layer % row] = if last_row { 1 } else { run(beside[layer % row], corner + row) };
             if self.ids[corner] != Palette::AIR {
                 let bound = u64::from(self.runs[corner]) * above[layer] * beside[layer % row];
-                queue.entry(bound).or_default().push(corner);
+                queue.entry(round_up(bound)).or_default().push(corner);
             }
         }
         queue
@@ -123,31 +123,39 @@ impl Free {
 
     /// The largest cuboid of free cells of one state with its low corner at this cell.
     fn largest_at(&mut self, corner: usize) -> Size {
-        let (id, place) = (self.ids[corner], self.place(corner));
         let mut best = Size::default();
-        if id == Palette::AIR {
+        if self.ids[corner] == Palette::AIR {
             return best;
         }
+        let place = self.place(corner);
         self.common.clear();
-        self.common.resize(self.size.z - place.z, usize::MAX);
-        let mut depth = self.common.len();
-        for y in 0..self.size.y - place.y {
-            let layer = corner + y * self.size.x * self.size.z;
-            let mut x = usize::MAX;
-            let mut z = 0;
-            while z < depth && self.ids[layer + z * self.size.x] == id {
-                self.common[z] = self.common[z].min(self.runs[layer + z * self.size.x] as usize);
-                x = x.min(self.common[z]);
-                z += 1;
-                best = better(best, Size { x, y: y + 1, z });
-            }
-            self.steps += z as u64 + 1;
-            depth = z;
-            if depth == 0 {
+        self.common.resize(self.size.z - place.z, u32::MAX);
+        for y in 1..=self.size.y - place.y {
+            self.narrow(self.ids[corner], corner + (y - 1) * self.size.x * self.size.z);
+            if self.common.is_empty() {
                 break;
             }
+            best = self.common_sizes(y).fold(best, better);
         }
         best
+    }
+
+    /// Brings the rows of one more layer into the common runs, as far on z as the state goes.
+    fn narrow(&mut self, id: u16, first_row: usize) {
+        let rows = (first_row..).step_by(self.size.x);
+        let inside = self.common.iter_mut().zip(rows).take_while(|&(_, row)| self.ids[row] == id);
+        let depth = inside.map(|(run, row)| *run = self.runs[row].min(*run)).count();
+        self.common.truncate(depth);
+        self.steps += depth as u64 + 1;
+    }
+
+    /// The longest cuboids of this height at the corner at hand, one for each length on z.
+    fn common_sizes(&self, y: usize) -> impl Iterator<Item = Size> {
+        let runs = self.common.iter().scan(u32::MAX, |least, &run| {
+            *least = run.min(*least);
+            Some(*least as usize)
+        });
+        runs.zip(1..).map(move |(x, z)| Size { x, y, z })
     }
 
     /// The cuboid with its low corner at this cell, which is free, that is longest on x, then z, then y.
@@ -158,7 +166,8 @@ impl Free {
         let fits = |cell: usize| self.ids[cell] == id && self.runs[cell] >= x;
         let z = (place.z..rows).take_while(|z| fits(corner + (z - place.z) * row)).count();
         let layer_fits = |layer: usize| (0..z).all(|z| fits(layer + z * row));
-        let y = (place.y..self.size.y).take_while(|y| layer_fits(corner + (y - place.y) * row * rows)).count();
+        let y =
+            (place.y..self.size.y).take_while(|y| layer_fits(corner + (y - place.y) * row * rows)).count();
         Size { x: x as usize, y, z }
     }
 
@@ -191,6 +200,12 @@ impl Free {
     }
 }
 
+/// Rounds up to five binary digits: bounds need not be exact, and few distinct ones make a short queue.
+fn round_up(bound: u64) -> u64 {
+    let unit = 1 << bound.ilog2().saturating_sub(4);
+    bound.next_multiple_of(unit)
+}
+
 /// The first of two cuboids at a corner, unless the second is to be preferred.
 fn better(first: Size, second: Size) -> Size {
     if second.rank() > first.rank() { second } else { first }
@@ -207,4 +222,91 @@ fn measure_runs(ids: &[u16], runs: &mut [u32]) {
 fn bounds(place: Size, size: Size) -> Bounds {
     let cell = |at: Size| Cell::new(at.x as i32, at.y as i32, at.z as i32);
     Bounds::new(cell(place), cell(place) + cell(size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::block::BlockState;
+    use proptest::prelude::*;
+
+    fn grid(size: Cell, ids: &[u16]) -> Grid {
+        let mut grid = Grid::new(size);
+        for name in ["stone", "oak_planks", "glass"] {
+            grid.intern(&BlockState::new(name).unwrap()).unwrap();
+        }
+        grid.bounds().cells().zip(ids).for_each(|(cell, &id)| grid.set(cell, id));
+        grid
+    }
+
+    fn small_grid() -> impl Strategy<Value = Grid> {
+        prop::array::uniform3(0..6i32).prop_flat_map(|size| {
+            let cells = size.iter().product::<i32>() as usize;
+            let id = prop_oneof![3 => Just(1u16), 1 => 0..4u16];
+            prop::collection::vec(id, cells).prop_map(move |ids| grid(Cell::from(size), &ids))
+        })
+    }
+
+    fn is_uniform(grid: &Grid, bounds: Bounds, id: u16) -> bool {
+        grid.bounds().contains_box(&bounds) && bounds.cells().all(|cell| grid.id(cell) == id)
+    }
+
+    /// Takes the cuboids out of the grid in their order, each time after `check`.
+    fn replay(mut grid: Grid, cuboids: &[(Bounds, u32)], check: impl Fn(&Grid, Bounds, u16)) {
+        for &(bounds, label) in cuboids {
+            let id = label as u16;
+            assert!(id != Palette::AIR && is_uniform(&grid, bounds, id));
+            check(&grid, bounds, id);
+            grid.fill(bounds, Palette::AIR);
+        }
+        assert!(grid.cells().iter().all(|&id| id == Palette::AIR));
+    }
+
+    fn assert_maximal(grid: &Grid, bounds: Bounds, id: u16) {
+        for unit in Cell::AXES {
+            assert!(!is_uniform(grid, Bounds::new(bounds.min - unit, bounds.max), id));
+            assert!(!is_uniform(grid, Bounds::new(bounds.min, bounds.max + unit), id));
+        }
+    }
+
+    /// The volume of the largest uniform box that is not of air, by trying all.
+    fn largest_volume(grid: &Grid) -> Option<u64> {
+        let boxes =
+            |min: Cell| Bounds::new(min, grid.size()).cells().map(move |last| (min, last + Cell::ONE));
+        let all = grid.bounds().cells().flat_map(boxes).map(|(min, max)| Bounds::new(min, max));
+        all.filter(|b| grid.id(b.min) != Palette::AIR && is_uniform(grid, *b, grid.id(b.min)))
+            .map(|b| b.volume())
+            .max()
+    }
+
+    proptest! {
+        #[test]
+        fn the_largest_is_taken_first(grid in small_grid()) {
+            replay(grid.clone(), &cuboids(&grid), |free, bounds, _| {
+                assert_eq!(Some(bounds.volume()), largest_volume(free));
+            });
+        }
+
+        #[test]
+        fn cuboids_are_maximal_however_long_the_search(grid in small_grid(), steps in 0..200u64) {
+            let mut free = Free::new(&grid);
+            let mut found = take_largest(&mut free, steps);
+            take_in_order(&mut free, &mut found);
+            replay(grid, &found, assert_maximal);
+        }
+    }
+
+    #[test]
+    fn a_ring_of_walls_is_two_long_and_two_short_ones() {
+        let mut walls = grid(Cell::new(5, 3, 5), &[1; 75]);
+        walls.fill(Bounds::new(Cell::new(1, 0, 1), Cell::new(4, 3, 4)), Palette::AIR);
+        let wall = |min: [i32; 3], max: [i32; 3]| (Bounds::new(Cell::from(min), Cell::from(max)), 1);
+        let expected = [
+            wall([0, 0, 0], [5, 3, 1]),
+            wall([0, 0, 4], [5, 3, 5]),
+            wall([0, 0, 1], [1, 3, 4]),
+            wall([4, 0, 1], [5, 3, 4]),
+        ];
+        assert_eq!(cuboids(&walls), expected);
+    }
 }

@@ -5,7 +5,7 @@ use crate::space::{Axis, Bounds};
 /// A split tree. It holds lengths only: where its parts lie is implied by the box it is laid out in.
 ///
 /// Always in normal form: a split has two parts or more, none of them a split along the same axis, and
-/// no two empty parts are neighbours. Equal cuts of a box are thus equal trees.
+/// no two empty parts are neighbours.
 #[derive(Clone, Debug)]
 pub struct Tree {
     arena: TreeBuilder,
@@ -92,7 +92,7 @@ fn places(bounds: Bounds, axis: Axis, parts: &[Part]) -> impl Iterator<Item = (B
     })
 }
 
-/// Equal cuts and labels, wherever the nodes lie in memory.
+/// The same splits and labels, wherever the nodes lie in memory.
 impl PartialEq for Tree {
     fn eq(&self, other: &Tree) -> bool {
         let key = |(len, node)| match node {
@@ -249,7 +249,9 @@ mod tests {
     fn equality_is_of_cuts_and_labels() {
         let tree = |spare: u32, len: i32| {
             let mut b = TreeBuilder::new();
-            (0..spare).for_each(|label| drop(b.leaf(label)));
+            for label in 0..spare {
+                b.leaf(label);
+            }
             let one = b.leaf(1);
             let root = b.split(Axis::Z, [part(len, one), part(1, NIL)]);
             b.finish(root)
