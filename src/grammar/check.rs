@@ -318,18 +318,18 @@ impl<'g> Checker<'g> {
 
     fn block(&mut self, text: &str, span: Span, expected: Expected) {
         self.is_of(Expected::Thing, expected, span, "a block");
-        let checked = text
-            .parse::<BlockState>()
-            .map_err(|error| error.to_string())
-            .and_then(|state| block::check(&state).map_err(|error| error.to_string()).map(|()| state));
-        match checked {
-            Err(message) => self.error(span, message, "here", None),
-            Ok(state) if is_vanilla(&state) && block::known(state.name()).is_none() => {
-                let message = format!("there is no block `{}`", state.short_name());
-                let hint = thing_hint(state.short_name());
-                self.error(span, message, "not known", Some(hint));
-            }
-            Ok(_) => {}
+        let state = match text.parse::<BlockState>() {
+            Ok(state) => state,
+            Err(error) => return self.error(span, error.to_string(), "here", None),
+        };
+        // Files of other versions and of mods hold blocks and properties that vox does not know.
+        let is_bare = !text.split('[').next().unwrap_or(text).contains(':');
+        if is_bare && block::known(state.name()).is_none() {
+            let message = format!("there is no block `{}`", state.short_name());
+            self.error(span, message, "not known", Some(thing_hint(state.short_name())));
+        } else if let Err(error) = block::check(&state) {
+            let hint = "it is written as it stands, and the game may drop it";
+            self.found.push(Diagnostic::warning(span, error.to_string()).label("not known").hint(hint));
         }
     }
 
@@ -396,10 +396,6 @@ fn constant_type(value: &Expr) -> Expected {
         ExprKind::Block(_) | ExprKind::File(_) => Expected::Thing,
         _ => Expected::Number,
     }
-}
-
-fn is_vanilla(state: &BlockState) -> bool {
-    state.name().starts_with("minecraft:")
 }
 
 /// Whether a bare name can be placed: a primitive, a block of the game, or a family of blocks.

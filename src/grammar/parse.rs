@@ -452,13 +452,12 @@ impl<'t> Parser<'t> {
 
     /// An expression where a block with a namespace may stand as well.
     fn argument(&mut self) -> Parse<Expr> {
-        let (name, colon, path) = (self.peek(), self.peek_after(1), self.peek_after(2));
-        let is_block = name.kind == Kind::Ident
-            && colon.kind == Kind::Symbol(":")
-            && path.kind == Kind::Ident
-            && name.span.end == colon.span.start
-            && colon.span.end == path.span.start;
-        if is_block { self.block(name) } else { self.expr() }
+        let name = self.peek();
+        let is_word = matches!(name.kind, Kind::Ident | Kind::Number);
+        match is_word && has_namespace(&self.text[name.span.start..]) {
+            true => self.block(name),
+            false => self.expr(),
+        }
     }
 
     /// A block state from its first token: a name, its namespace, path and properties, without gaps.
@@ -607,4 +606,14 @@ impl<'t> Parser<'t> {
         };
         Ok(Expr { kind: ExprKind::ScopeSize(axis), span: start.to(field.span) })
     }
+}
+
+/// Whether a text begins with a name in a namespace, as in `create:brass_casing`.
+fn has_namespace(text: &str) -> bool {
+    let rest = text.trim_start_matches(is_block_char);
+    rest.strip_prefix(':').is_some_and(|path| path.starts_with(is_block_char))
+}
+
+fn is_block_char(c: char) -> bool {
+    c.is_ascii_alphanumeric() || "_/.-".contains(c)
 }

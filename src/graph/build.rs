@@ -1,3 +1,4 @@
+use super::unify::Renumbered;
 use super::{Alternative, Arg, Expr, Op, OpGraph, Size};
 use petgraph::graph::{DiGraph, NodeIndex};
 use rustc_hash::FxHashMap;
@@ -70,8 +71,8 @@ impl Builder {
         &self.graph[node]
     }
 
-    /// The part of the graph that `root` reaches.
-    pub fn finish(self, root: NodeIndex) -> OpGraph {
+    /// The part of the graph that `root` reaches, and the new number of each node in it.
+    pub fn finish(self, root: NodeIndex) -> (OpGraph, Renumbered) {
         let out = OpGraph {
             graph: self.graph,
             root,

@@ -17,3 +17,4 @@ pub use lower::{UnknownStart, lower};
 pub use op::{Alternative, Arg, Group, Op, OpGraph, Origin, RuleName, Size, StartSize};
 pub use petgraph::graph::NodeIndex;
 pub use raise::raise;
+pub use unify::Renumbered;

@@ -1,10 +1,15 @@
 //! Equality of operations: which nodes describe the same derivations.
 
 use super::{Arg, Op, OpGraph};
+use petgraph::Direction;
+use petgraph::algo::toposort;
 use petgraph::graph::{DiGraph, NodeIndex};
-use petgraph::visit::Bfs;
+
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
+
+/// The new number of each node that was kept.
+pub type Renumbered = BTreeMap<NodeIndex, NodeIndex>;
 
 impl OpGraph {
     /// The same graph with every two equal operations made one, numbered breadth-first from the root.
@@ -19,11 +24,11 @@ impl OpGraph {
         for node in self.nodes() {
             first.entry(classes[node.index()]).or_insert(node);
         }
-        self.project(|node| first[&classes[node.index()]])
+        self.project(|node| first[&classes[node.index()]]).0
     }
 
-    /// The part of the graph that the root reaches, numbered breadth-first.
-    pub fn reachable(&self) -> OpGraph {
+    /// The part of the graph that the root reaches, numbered breadth-first, and the new number of each node.
+    pub(super) fn reachable(&self) -> (OpGraph, Renumbered) {
         self.project(|node| node)
     }
 
@@ -50,8 +55,8 @@ impl OpGraph {
     }
 
     /// The reachable graph in which each node is replaced by its representative.
-    fn project(&self, representative: impl Fn(NodeIndex) -> NodeIndex) -> OpGraph {
-        let mut numbers: BTreeMap<NodeIndex, NodeIndex> = BTreeMap::new();
+    fn project(&self, representative: impl Fn(NodeIndex) -> NodeIndex) -> (OpGraph, Renumbered) {
+        let mut numbers = Renumbered::new();
         let mut graph = DiGraph::new();
         let mut order = vec![representative(self.root)];
         numbers.insert(order[0], graph.add_node(self.op(order[0]).clone()));
@@ -89,13 +94,19 @@ impl OpGraph {
                 self.children(node).map(|(arg, child)| (arg.clone(), numbers[&representative(child)]));
             out.set_children(numbers[&node], children.collect());
         }
-        out
+        (out, numbers)
     }
 
-    /// Nodes in breadth-first order from the root.
-    pub fn breadth_first(&self) -> Vec<NodeIndex> {
-        let mut walk = Bfs::new(&self.graph, self.root);
-        std::iter::from_fn(|| walk.next(&self.graph)).collect()
+    /// All nodes, each after its children; `None` where rules call one another in a ring.
+    pub fn children_first(&self) -> Option<Vec<NodeIndex>> {
+        let mut order = toposort(&self.graph, None).ok()?;
+        order.reverse();
+        Some(order)
+    }
+
+    /// How many edges lead to a node.
+    pub fn uses(&self, node: NodeIndex) -> usize {
+        self.graph.edges_directed(node, Direction::Incoming).count()
     }
 }
 

@@ -183,7 +183,7 @@ impl TreeBuilder {
         NodeId(self.nodes.len() as u32 - 1)
     }
 
-    fn node(&self, id: NodeId) -> Node<'_> {
+    pub fn node(&self, id: NodeId) -> Node<'_> {
         match self.nodes[id.0 as usize] {
             Stored::Nil => Node::Nil,
             Stored::Leaf(label) => Node::Leaf(label),

@@ -1,0 +1,257 @@
+//! Proof that a graph derives an example: a search for the choices that give it, cell for cell.
+
+use super::emit::{identifier, turned_label};
+use super::example::Example;
+use crate::block::{self, BlockState};
+use crate::grammar::ast::{BinaryOp, Function, SizeKind};
+use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph, Size, Thing};
+use crate::grid::{Grid, LabelledBoxes};
+use crate::space::{Axis, Bounds, Cell, Frame, Length, Scope, Turn, fit, shares};
+use ndarray::Array3;
+use rustc_hash::FxHashMap;
+
+/// Whether a graph derives an example.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Derivable {
+    Yes,
+    /// It does not, or by operations that the search does not follow: those that inference never makes.
+    NotShown,
+}
+
+/// Searches for a derivation of `example` from the root of `graph`, on a scope of the example's size.
+pub fn derivable(graph: &OpGraph, example: &Example) -> Derivable {
+    let target = Target::of(example);
+    let frame = Frame { up: graph.up, turn: Turn::NONE };
+    let mut search = Search { graph, target, known: FxHashMap::default() };
+    match search.derives(graph.root(), Scope { bounds: example.bounds(), frame }) {
+        true => Derivable::Yes,
+        false => Derivable::NotShown,
+    }
+}
+
+/// What has to be derived.
+enum Target<'e> {
+    Blocks {
+        grid: &'e Grid,
+        states: Vec<BlockState>,
+    },
+    /// The number of the box at each cell from the container's low corner, from 1; 0 where there is none.
+    Boxes {
+        boxes: &'e LabelledBoxes,
+        cells: Array3<u32>,
+    },
+}
+
+impl<'e> Target<'e> {
+    fn of(example: &'e Example) -> Target<'e> {
+        match example {
+            Example::Blocks(grid) => {
+                Target::Blocks { grid, states: grid.palette().states().iter().map(block::complete).collect() }
+            }
+            Example::Boxes(boxes) => {
+                let [x, y, z] = boxes.container.size().to_array().map(|length| length as usize);
+                let mut cells = Array3::zeros((y, z, x));
+                for (number, labelled) in boxes.boxes.iter().enumerate() {
+                    for cell in labelled.bounds.cells() {
+                        cells[index(cell - boxes.container.min)] = number as u32 + 1;
+                    }
+                }
+                Target::Boxes { boxes, cells }
+            }
+        }
+    }
+
+    fn is_empty(&self, bounds: Bounds) -> bool {
+        match self {
+            Target::Blocks { grid, states } => {
+                bounds.cells().all(|cell| states[usize::from(grid.id(cell))].is_air())
+            }
+            Target::Boxes { boxes, cells } => {
+                bounds.cells().all(|cell| cells[index(cell - boxes.container.min)] == 0)
+            }
+        }
+    }
+
+    /// Whether `bounds` holds exactly the primitive of that name.
+    fn is_primitive(&self, graph: &OpGraph, name: &Expr, scope: &Scope) -> bool {
+        let bounds = scope.bounds;
+        match self {
+            Target::Blocks { grid, states } => block_of(name).is_some_and(|wanted| {
+                let wanted = wanted.turned(scope.frame.turn);
+                bounds.cells().all(|cell| states[usize::from(grid.id(cell))] == wanted)
+            }),
+            Target::Boxes { boxes, cells } => {
+                let number = cells[index(bounds.min - boxes.container.min)];
+                let labelled = (number as usize).checked_sub(1).map(|at| &boxes.boxes[at]);
+                labelled.is_some_and(|labelled| {
+                    let (label, turn) = turned_label(&labelled.label);
+                    labelled.bounds == bounds
+                        && Some(identifier(label).as_str()) == label_of(graph, name)
+                        && Turn::quarters(i32::from(turn)) == scope.frame.turn
+                })
+            }
+        }
+    }
+}
+
+fn index(cell: Cell) -> [usize; 3] {
+    [cell.y, cell.z, cell.x].map(|n| n as usize)
+}
+
+fn block_of(name: &Expr) -> Option<BlockState> {
+    match name {
+        Expr::Thing(Thing::Name(text) | Thing::Block(text)) => {
+            text.parse().ok().map(|state| block::complete(&state))
+        }
+        _ => None,
+    }
+}
+
+fn label_of<'g>(graph: &'g OpGraph, name: &'g Expr) -> Option<&'g str> {
+    match name {
+        Expr::Thing(thing) => Some(thing.text()),
+        Expr::Constant(at) => graph.constants.get(*at).map(|(name, _)| name.as_str()),
+        _ => None,
+    }
+}
+
+/// More ways than this to size one split are not tried.
+const MOST_WAYS: usize = 1 << 20;
+
+struct Search<'g, 'e> {
+    graph: &'g OpGraph,
+    target: Target<'e>,
+    known: FxHashMap<(NodeIndex, Scope), bool>,
+}
+
+impl<'g> Search<'g, '_> {
+    fn derives(&mut self, node: NodeIndex, scope: Scope) -> bool {
+        if scope.is_empty() {
+            return true;
+        }
+        if let Some(&known) = self.known.get(&(node, scope)) {
+            return known;
+        }
+        // A ring of rules that comes back to the same scope derives nothing new there.
+        self.known.insert((node, scope), false);
+        let found = self.search(node, scope);
+        self.known.insert((node, scope), found);
+        found
+    }
+
+    fn search(&mut self, node: NodeIndex, scope: Scope) -> bool {
+        let graph = self.graph;
+        let mut children = graph.children(node);
+        match graph.op(node) {
+            Op::Nil => self.target.is_empty(scope.bounds),
+            Op::Primitive { name, .. } => self.target.is_primitive(graph, name, &scope),
+            Op::Choose => children.any(|(arg, child)| match arg {
+                Arg::Alternative(alternative) => {
+                    alternative.condition.as_ref().is_none_or(|condition| holds(condition, &scope))
+                        && self.derives(child, scope)
+                }
+                _ => false,
+            }),
+            Op::Split { axis: Expr::Axis(axis), groups } if groups.is_empty() => {
+                self.split(node, *axis, scope)
+            }
+            Op::Repeat { axis: Expr::Axis(axis), size: Expr::Number(size) } if size.0 >= 1.0 => {
+                let count = (f64::from(scope.len(*axis)) / size.0).ceil();
+                self.repeat(node, *axis, count as u32, scope)
+            }
+            Op::RepeatN { axis: Expr::Axis(axis), count: Expr::Number(count) } if count.0 >= 1.0 => {
+                self.repeat(node, *axis, count.0 as u32, scope)
+            }
+            Op::Rotate { angle: Expr::Number(angle), .. } => {
+                let turn = Turn::quarters((angle.0 / std::f64::consts::FRAC_PI_2).round() as i32);
+                children.all(|(_, child)| self.derives(child, scope.turned(turn)))
+            }
+            _ => false,
+        }
+    }
+
+    fn repeat(&mut self, node: NodeIndex, axis: Axis, count: u32, scope: Scope) -> bool {
+        let graph = self.graph;
+        graph.children(node).all(|(_, child)| {
+            shares(scope.len(axis), count).all(|(low, high)| self.derives(child, scope.part(axis, low, high)))
+        })
+    }
+
+    fn split(&mut self, node: NodeIndex, axis: Axis, scope: Scope) -> bool {
+        let graph = self.graph;
+        let parts: Option<Vec<(Vec<Length>, NodeIndex)>> = graph
+            .children(node)
+            .map(|(arg, child)| match arg {
+                Arg::Size(size) => Some((lengths(size)?, child)),
+                _ => None,
+            })
+            .collect();
+        let Some(parts) = parts else { return false };
+        let ways = parts.iter().try_fold(1, |ways: usize, (lengths, _)| ways.checked_mul(lengths.len()));
+        if ways.is_none_or(|ways| ways > MOST_WAYS) {
+            return false;
+        }
+        (0..ways.unwrap_or(0)).any(|way| self.sized(&parts, way, axis, scope))
+    }
+
+    /// Tries one way to size the parts, numbered in the order of the lengths they may have.
+    fn sized(
+        &mut self,
+        parts: &[(Vec<Length>, NodeIndex)],
+        mut way: usize,
+        axis: Axis,
+        scope: Scope,
+    ) -> bool {
+        let mut chosen = Vec::with_capacity(parts.len());
+        for (lengths, _) in parts {
+            chosen.push(lengths[way % lengths.len()]);
+            way /= lengths.len();
+        }
+        let Ok(bounds) = fit(scope.len(axis), &chosen) else { return false };
+        let mut places = bounds.windows(2).map(|pair| scope.part(axis, pair[0], pair[1]));
+        parts.iter().all(|(_, child)| places.next().is_some_and(|place| self.derives(*child, place)))
+    }
+}
+
+/// The lengths that a part may have.
+fn lengths(size: &Size) -> Option<Vec<Length>> {
+    match size.kind {
+        SizeKind::Floating => match &size.value {
+            Expr::Number(weight) => Some(vec![Length::Floating(weight.0)]),
+            _ => None,
+        },
+        SizeKind::Absolute => {
+            Some(numbers(&size.value)?.into_iter().map(|n| Length::Absolute(f64::from(n))).collect())
+        }
+        SizeKind::Relative => None,
+    }
+}
+
+/// The whole numbers that an expression may give: a number, a range, or a multiple of one.
+fn numbers(expr: &Expr) -> Option<Vec<i32>> {
+    match expr {
+        Expr::Number(number) => Some(vec![number.0 as i32]),
+        Expr::Call(Function::Randint, bounds) => match bounds.as_slice() {
+            [Expr::Number(low), Expr::Number(high)] => Some((low.0 as i32..=high.0 as i32).collect()),
+            _ => None,
+        },
+        Expr::Binary(BinaryOp::Multiply, step, range) => match &**step {
+            Expr::Number(step) => Some(numbers(range)?.into_iter().map(|n| n * step.0 as i32).collect()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether a condition on the lengths of the scope holds.
+fn holds(condition: &Expr, scope: &Scope) -> bool {
+    match condition {
+        Expr::Binary(BinaryOp::And, left, right) => holds(left, scope) && holds(right, scope),
+        Expr::Binary(BinaryOp::Or, left, right) => holds(left, scope) || holds(right, scope),
+        Expr::Binary(BinaryOp::Equal, left, right) => match (&**left, &**right) {
+            (Expr::ScopeSize(axis), Expr::Number(length)) => f64::from(scope.len(*axis)) == length.0,
+            _ => false,
+        },
+        _ => false,
+    }
+}

@@ -1,0 +1,222 @@
+//! From kinds of operations to an op graph.
+
+use super::combine::{Content, Item, Kind, KindId, Kinds};
+use super::example::{Example, Terminal, Terminals};
+use super::fold::Piece;
+use super::law::Law;
+use super::naming;
+use crate::block::{self, BlockState};
+use crate::grammar::ast::BinaryOp;
+use crate::grammar::is_primitive;
+use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, OpGraph, Size, StartSize, Thing};
+use crate::space::{Axis, Cell, Up};
+
+/// The op graph of all kinds. Its root chooses between the examples that no rule could join.
+pub fn emit(kinds: &Kinds, terminals: &Terminals, examples: &[Example]) -> OpGraph {
+    let mut emitter = Emitter { builder: Builder::default(), constants: Vec::new(), nodes: Vec::new() };
+    for kind in &kinds.list {
+        let node = emitter.kind(kind, terminals);
+        emitter.nodes.push(node);
+    }
+    let root = emitter.root(kinds, examples);
+    let Emitter { builder, constants, nodes } = emitter;
+    let (mut graph, kept) = builder.finish(root);
+    graph.constants = constants;
+    graph.sizes = sizes(examples);
+    naming::name(&mut graph, kinds, &nodes, &kept, examples);
+    graph
+}
+
+struct Emitter {
+    builder: Builder,
+    constants: Vec<(String, Expr)>,
+    /// The node of each kind.
+    nodes: Vec<NodeIndex>,
+}
+
+impl Emitter {
+    fn kind(&mut self, kind: &Kind, terminals: &Terminals) -> NodeIndex {
+        match kind {
+            Kind::Nil => self.builder.nil(),
+            Kind::Leaf(label) => match &terminals.list[*label as usize] {
+                Terminal::Block(state) => self.builder.primitive(block_expr(state)),
+                Terminal::Label(label) => self.labelled(label),
+            },
+            Kind::Split { axis, items } => {
+                let parts = items.iter().map(|item| self.item(*axis, item)).collect();
+                self.builder.split(Expr::Axis(*axis), parts)
+            }
+        }
+    }
+
+    fn item(&mut self, axis: Axis, item: &Item) -> (Size, NodeIndex) {
+        let size = match item.law {
+            Law::Const(length) => Size::absolute(Expr::number(f64::from(length))),
+            Law::Float => Size::floating(1.0),
+            Law::Range { low, high, step: 1 } => Size::absolute(Expr::between(low, high)),
+            Law::Range { low, high, step } => Size::absolute(Expr::Binary(
+                BinaryOp::Multiply,
+                Box::new(Expr::number(f64::from(step))),
+                Box::new(Expr::between(low / step, high / step)),
+            )),
+        };
+        let child = match &item.content {
+            Content::One(kind) => self.node(*kind),
+            Content::Repeat(unit) => self.repeat(axis, unit),
+        };
+        (size, child)
+    }
+
+    fn node(&self, kind: KindId) -> NodeIndex {
+        self.nodes[kind.0 as usize]
+    }
+
+    fn repeat(&mut self, axis: Axis, unit: &[Piece<KindId>]) -> NodeIndex {
+        let period: i32 = unit.iter().map(|(len, _)| len).sum();
+        let size = |len: i32| Size::absolute(Expr::number(f64::from(len)));
+        let parts = unit.iter().map(|(len, kind)| (size(*len), self.node(*kind))).collect();
+        let body = self.builder.split(Expr::Axis(axis), parts);
+        let op = Op::Repeat { axis: Expr::Axis(axis), size: Expr::number(f64::from(period)) };
+        self.builder.node(op, vec![(Arg::None, body)])
+    }
+
+    /// A labelled primitive. `corner@90` is a corner turned by 90 degrees; a label that is no primitive of
+    /// the language becomes a constant, which says what it is made of.
+    fn labelled(&mut self, label: &str) -> NodeIndex {
+        let (name, turn) = turned_label(label);
+        let name = identifier(name);
+        let expr = match is_primitive(&name) {
+            true => Expr::name(name),
+            false => self.constant(&name),
+        };
+        let primitive = self.builder.primitive(expr);
+        match turn {
+            0 => primitive,
+            turn => {
+                let angle = Expr::number(f64::from(turn) * std::f64::consts::FRAC_PI_2);
+                let op = Op::Rotate { axis: Expr::Axis(Up::Y.axis()), angle };
+                self.builder.node(op, vec![(Arg::None, primitive)])
+            }
+        }
+    }
+
+    fn constant(&mut self, name: &str) -> Expr {
+        let known = self.constants.iter().position(|(known, _)| known == name);
+        let at = known.unwrap_or_else(|| {
+            let color = COLOURS[self.constants.len() % COLOURS.len()];
+            self.constants.push((name.to_owned(), Expr::name(format!("{color}_concrete"))));
+            self.constants.len() - 1
+        });
+        Expr::Constant(at)
+    }
+
+    /// The choice between the kinds of whole examples. Where they were seen at different sizes, each is
+    /// bound to its own: at others it would be stretched out of shape.
+    fn root(&mut self, kinds: &Kinds, examples: &[Example]) -> NodeIndex {
+        let mut seen: Vec<(NodeIndex, Vec<Cell>)> = Vec::new();
+        for (kind, example) in kinds.roots.iter().zip(examples) {
+            let (node, size) = (self.node(*kind), example.bounds().size());
+            match seen.iter_mut().find(|(known, _)| *known == node) {
+                Some((_, sizes)) => sizes.push(size),
+                None => seen.push((node, vec![size])),
+            }
+        }
+        if let [(only, _)] = seen.as_slice() {
+            return *only;
+        }
+        let varying: Vec<Axis> = Axis::ALL
+            .into_iter()
+            .filter(|axis| {
+                let mut lengths = seen.iter().flat_map(|(_, sizes)| sizes).map(|size| axis.of(*size));
+                let first = lengths.next();
+                lengths.any(|length| Some(length) != first)
+            })
+            .collect();
+        let mut by_condition: Vec<(Option<Expr>, Vec<(f64, NodeIndex)>)> = Vec::new();
+        for (node, sizes) in seen {
+            let (condition, weight) = (size_condition(&varying, &sizes), sizes.len() as f64);
+            match by_condition.iter_mut().find(|(known, _)| *known == condition) {
+                Some((_, nodes)) => nodes.push((weight, node)),
+                None => by_condition.push((condition, vec![(weight, node)])),
+            }
+        }
+        let mut alternatives = Vec::new();
+        for (condition, nodes) in by_condition {
+            let weight = Expr::number(nodes.iter().map(|(weight, _)| weight).sum());
+            let child = self.builder.choose(nodes);
+            if condition.is_none() {
+                return child;
+            }
+            alternatives.push((Arg::Alternative(Alternative { condition, weight }), child));
+        }
+        self.builder.node(Op::Choose, alternatives)
+    }
+}
+
+/// That the scope has one of `sizes` along the axes that tell examples apart.
+fn size_condition(varying: &[Axis], sizes: &[Cell]) -> Option<Expr> {
+    let mut known: Vec<Vec<i32>> = Vec::new();
+    for size in sizes {
+        let lengths = varying.iter().map(|axis| axis.of(*size)).collect();
+        if !known.contains(&lengths) {
+            known.push(lengths);
+        }
+    }
+    let binary = |op| move |left, right| Expr::Binary(op, Box::new(left), Box::new(right));
+    let is_length = |(axis, length): (&Axis, i32)| {
+        binary(BinaryOp::Equal)(Expr::ScopeSize(*axis), Expr::number(f64::from(length)))
+    };
+    let is_size =
+        |lengths: Vec<i32>| varying.iter().zip(lengths).map(is_length).reduce(binary(BinaryOp::And));
+    known.into_iter().filter_map(is_size).reduce(binary(BinaryOp::Or))
+}
+
+/// The sizes of the examples, each with how often it was seen, in order of first sight.
+fn sizes(examples: &[Example]) -> Vec<StartSize> {
+    let mut seen: Vec<(Cell, u32)> = Vec::new();
+    for example in examples {
+        let size = example.bounds().size();
+        match seen.iter_mut().find(|(known, _)| *known == size) {
+            Some((_, count)) => *count += 1,
+            None => seen.push((size, 1)),
+        }
+    }
+    let is_alone = seen.len() == 1;
+    let weight = |count: u32| Expr::number(if is_alone { 1.0 } else { f64::from(count) });
+    let start = |(size, count): (Cell, u32)| StartSize {
+        size: size.to_array().map(|length| Expr::number(f64::from(length))),
+        weight: weight(count),
+    };
+    seen.into_iter().map(start).collect()
+}
+
+/// The expression for a block: its bare name where it is a block of the game in its default state.
+fn block_expr(state: &BlockState) -> Expr {
+    match block::known(state.name()) {
+        Some(known) if known.default_state() == *state => Expr::name(state.short_name()),
+        Some(_) if state.properties().len() > 0 => Expr::Thing(Thing::Block(state.short())),
+        _ => Expr::Thing(Thing::Block(state.to_string())),
+    }
+}
+
+/// The colours of concrete that stand in for unknown materials.
+const COLOURS: [&str; 8] = ["white", "light_gray", "cyan", "yellow", "lime", "orange", "light_blue", "brown"];
+
+/// A label and its number of quarter turns.
+pub fn turned_label(label: &str) -> (&str, u8) {
+    match label.rsplit_once('@') {
+        Some((name, "90")) => (name, 1),
+        Some((name, "180")) => (name, 2),
+        Some((name, "270")) => (name, 3),
+        _ => (label, 0),
+    }
+}
+
+/// A label as a name of the language.
+pub fn identifier(label: &str) -> String {
+    let mut name: String = label.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+    if !name.starts_with(|c: char| c.is_alphabetic() || c == '_') {
+        name.insert(0, '_');
+    }
+    name
+}
