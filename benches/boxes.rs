@@ -1,11 +1,11 @@
 //! How box splitting grows with the number of boxes, and against trying every plane on every box.
 
-#[path = "../tests/common/mod.rs"]
-mod common;
+#[path = "../tests/common/jumble.rs"]
+mod jumble;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use vox::infer::{Node, NodeId, Part, Tree, TreeBuilder, split_boxes};
+use vox::infer::{Node, NodeId, Part, Tree, TreeBuilder, UPRIGHT_FIRST, split_boxes};
 use vox::space::{Axis, Bounds};
 
 const SIZES: [usize; 7] = [500, 2_000, 8_000, 32_000, 125_000, 500_000, 1_000_000];
@@ -15,10 +15,10 @@ fn ordered(c: &mut Criterion) {
     let mut group = c.benchmark_group("boxes/ordered");
     group.sample_size(10);
     for n in SIZES {
-        let (container, boxes) = common::jumble(n, 1);
+        let (container, boxes) = jumble::jumble(n, 1);
         group.throughput(Throughput::Elements(n as u64));
         group.bench_with_input(BenchmarkId::from_parameter(n), &boxes, |b, boxes| {
-            b.iter(|| split_boxes(container, black_box(boxes)));
+            b.iter(|| split_boxes(container, black_box(boxes), UPRIGHT_FIRST));
         });
     }
     group.finish();
@@ -28,7 +28,7 @@ fn naive(c: &mut Criterion) {
     let mut group = c.benchmark_group("boxes/naive");
     group.sample_size(10);
     for n in NAIVE_SIZES {
-        let (container, boxes) = common::jumble(n, 1);
+        let (container, boxes) = jumble::jumble(n, 1);
         assert_eq!(count(&naive_tree(container, &boxes), container), n);
         group.throughput(Throughput::Elements(n as u64));
         group.bench_with_input(BenchmarkId::from_parameter(n), &boxes, |b, boxes| {

@@ -1,9 +1,10 @@
 //! Laws of box splitting.
 
-mod common;
+#[path = "common/jumble.rs"]
+mod jumble;
 
 use proptest::prelude::*;
-use vox::infer::{BadBoxes, Node, Tree, split_boxes};
+use vox::infer::{BadBoxes, Node, Tree, UPRIGHT_FIRST, split_boxes};
 use vox::space::{Axis, Bounds, Cell};
 
 type Labelled = (Bounds, u32);
@@ -63,15 +64,15 @@ fn sorted(mut boxes: Vec<Labelled>) -> Vec<Labelled> {
 proptest! {
     #[test]
     fn the_leaves_tile_the_boxes((container, boxes) in scattered()) {
-        let tree = split_boxes(container, &boxes).unwrap();
+        let tree = split_boxes(container, &boxes, UPRIGHT_FIRST).unwrap();
         assert_tiles(&tree, container, &boxes);
         assert_normal(&tree, container);
     }
 
     #[test]
     fn boxes_of_a_split_tree_are_never_cut(n in 1..400usize, seed: u64) {
-        let (container, boxes) = common::jumble(n, seed);
-        let tree = split_boxes(container, &boxes).unwrap();
+        let (container, boxes) = jumble::jumble(n, seed);
+        let tree = split_boxes(container, &boxes, UPRIGHT_FIRST).unwrap();
         assert_normal(&tree, container);
         prop_assert_eq!(sorted(tree.leaves(container).collect()), sorted(boxes));
     }
@@ -81,14 +82,14 @@ proptest! {
         ((container, boxes), shuffled) in
             scattered().prop_flat_map(|(c, boxes)| (Just((c, boxes.clone())), Just(boxes).prop_shuffle()))
     ) {
-        prop_assert_eq!(split_boxes(container, &boxes), split_boxes(container, &shuffled));
+        prop_assert_eq!(split_boxes(container, &boxes, UPRIGHT_FIRST), split_boxes(container, &shuffled, UPRIGHT_FIRST));
     }
 
     #[test]
     fn the_first_cut_goes_through_the_fewest_boxes((_, boxes) in scattered()) {
         prop_assume!(boxes.len() > 1);
         let container = boxes.iter().map(|(bounds, _)| *bounds).reduce(|a, b| a.union(&b)).unwrap();
-        let tree = split_boxes(container, &boxes).unwrap();
+        let tree = split_boxes(container, &boxes, UPRIGHT_FIRST).unwrap();
         let (axis, at) = cuts(&tree, container);
         let least = at.into_iter().map(|at| crossing(&boxes, axis, at)).min();
         prop_assert_eq!(least, fewest_crossing(container, &boxes));
@@ -103,7 +104,7 @@ proptest! {
         let mut extra = boxes[which.index(boxes.len())].0;
         extra.max = (extra.min + Cell::from(size)).min(container.max);
         boxes.push((extra, 9));
-        let error = split_boxes(container, &boxes).unwrap_err();
+        let error = split_boxes(container, &boxes, UPRIGHT_FIRST).unwrap_err();
         let BadBoxes::Overlap(a, b) = error else { panic!("{error}") };
         prop_assert!(a < b && !boxes[a].0.intersect(&boxes[b].0).is_empty());
     }
@@ -111,7 +112,7 @@ proptest! {
 
 #[test]
 fn empty_space_is_one_nil() {
-    let tree = split_boxes(boxed([0; 3], [4; 3]), &[]).unwrap();
+    let tree = split_boxes(boxed([0; 3], [4; 3]), &[], UPRIGHT_FIRST).unwrap();
     assert_eq!(tree.node(tree.root()), Node::Nil);
 }
 
@@ -119,7 +120,7 @@ fn empty_space_is_one_nil() {
 fn one_box_in_a_corner_is_trimmed_once_per_axis() {
     let container = boxed([0; 3], [4; 3]);
     let boxes = [(boxed([0; 3], [1; 3]), 7)];
-    let tree = split_boxes(container, &boxes).unwrap();
+    let tree = split_boxes(container, &boxes, UPRIGHT_FIRST).unwrap();
     let splits = tree.nodes(container).filter(|(_, node)| matches!(node, Node::Split { .. })).count();
     assert_eq!(splits, 3);
     assert_eq!(tree.leaves(container).collect::<Vec<_>>(), boxes);
@@ -137,7 +138,7 @@ fn a_pinwheel_costs_one_cut() {
     ];
     let boxes: Vec<Labelled> = bars.into_iter().zip(0..).collect();
     let container = boxed([0; 3], [3, 1, 3]);
-    let tree = split_boxes(container, &boxes).unwrap();
+    let tree = split_boxes(container, &boxes, UPRIGHT_FIRST).unwrap();
     assert_tiles(&tree, container, &boxes);
     assert_eq!(tree.leaves(container).count(), 6);
     // All four planes are as good: x goes before z, and the low end first.
@@ -175,8 +176,11 @@ fn fewest_crossing(container: Bounds, boxes: &[Labelled]) -> Option<usize> {
 fn boxes_must_have_cells_inside_the_container() {
     let container = boxed([0; 3], [4; 3]);
     let good = (boxed([0; 3], [1; 3]), 0);
-    let split = |bounds| split_boxes(container, &[good, (bounds, 0)]).unwrap_err();
+    let split = |bounds| split_boxes(container, &[good, (bounds, 0)], UPRIGHT_FIRST).unwrap_err();
     assert_eq!(split(boxed([1, 1, 1], [2, 1, 2])), BadBoxes::Empty(1));
     assert_eq!(split(boxed([1, 1, 1], [2, 5, 2])), BadBoxes::Outside(1));
-    assert_eq!(split_boxes(boxed([i32::MIN; 3], [i32::MAX; 3]), &[good]), Err(BadBoxes::Container));
+    assert_eq!(
+        split_boxes(boxed([i32::MIN; 3], [i32::MAX; 3]), &[good], UPRIGHT_FIRST),
+        Err(BadBoxes::Container)
+    );
 }

@@ -6,6 +6,8 @@ mod data;
 mod hostile;
 #[path = "io/obj.rs"]
 mod obj;
+#[path = "common/real.rs"]
+mod real;
 #[path = "io/round_trip.rs"]
 mod round_trip;
 #[path = "io/sniff.rs"]

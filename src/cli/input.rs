@@ -20,13 +20,30 @@ pub fn paths(args: &[String]) -> Result<Vec<PathBuf>, Failure> {
             continue;
         }
         let found = glob::glob(arg).map_err(|error| Failure::of_file(arg, error))?;
-        let before = paths.len();
-        paths.extend(found.filter_map(Result::ok));
-        if paths.len() == before {
+        let mut found: Vec<PathBuf> = found.filter_map(Result::ok).collect();
+        if found.is_empty() {
             return Err(Failure::of_file(arg, "no file matches this pattern"));
         }
+        found.sort_by_cached_key(|path| natural(&path.to_string_lossy()));
+        paths.extend(found);
     }
     Ok(paths)
+}
+
+/// A key that sorts numbers by value: house-2 before house-10.
+fn natural(name: &str) -> Vec<(u64, String)> {
+    let mut key: Vec<(u64, String)> = vec![(0, String::new())];
+    for c in name.chars() {
+        match (c.to_digit(10).map(u64::from), key.last_mut()) {
+            (Some(digit), Some((number, text))) if text.is_empty() => {
+                *number = number.saturating_mul(10).saturating_add(digit);
+            }
+            (Some(digit), _) => key.push((digit, String::new())),
+            (None, Some((_, text))) => text.push(c),
+            (None, None) => {}
+        }
+    }
+    key
 }
 
 /// What messages call a file.

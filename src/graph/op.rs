@@ -135,6 +135,17 @@ impl OpGraph {
         self.graph.edges(node).map(|edge| (edge.weight(), edge.target()))
     }
 
+    /// Whether a node is a primitive, turned or not, or nil: too short to have a rule of its own.
+    pub fn is_leaf(&self, node: NodeIndex) -> bool {
+        match self.op(node) {
+            Op::Primitive { .. } | Op::Nil => true,
+            Op::Rotate { .. } => {
+                self.children(node).all(|(_, child)| matches!(self.op(child), Op::Primitive { .. }))
+            }
+            _ => false,
+        }
+    }
+
     /// How many nodes there are; their indices are the numbers below it.
     pub fn len(&self) -> usize {
         self.graph.node_count()

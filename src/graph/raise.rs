@@ -105,8 +105,8 @@ impl<'g> Raising<'g> {
         if self.open_params[node.index()] {
             return false;
         }
-        let is_leaf = matches!(self.graph.op(node), Op::Primitive { .. } | Op::Nil);
-        let users = self.graph.graph.edges_directed(node, Direction::Incoming).count();
+        let is_leaf = self.graph.is_leaf(node);
+        let users = self.graph.uses(node);
         let is_root = node == self.graph.root;
         *self.graph.op(node) == Op::Choose
             || is_root

@@ -32,18 +32,27 @@ pub enum BadBoxes {
     TooMany(usize),
 }
 
+/// The order in which the axes take turns; the first divides the whole.
+pub type Turns = [Axis; 3];
+
+/// Houses come apart into storeys first.
+pub const UPRIGHT_FIRST: Turns = [Axis::Y, Axis::X, Axis::Z];
+
+/// Plots come apart into buildings first, as in seed 1.
+pub const PLAN_FIRST: Turns = [Axis::X, Axis::Z, Axis::Y];
+
 /// The split tree of `boxes`, each with its label, in `container`; what they leave free is nil.
 ///
-/// Splits at every plane that is clear of boxes, on one axis after the other. A container without such a
+/// Splits at every plane that is clear of boxes, on one axis after the other, as `turns` has them. A container without such a
 /// plane is cut where the fewest boxes are cut, of equal ones where the two sides hold the most equal
 /// numbers of boxes, then on y before x before z, then at the low end; a cut box becomes two leaves of
 /// its label. The order of the boxes does not matter.
-pub fn split_boxes(container: Bounds, boxes: &[(Bounds, u32)]) -> Result<Tree, BadBoxes> {
+pub fn split_boxes(container: Bounds, boxes: &[(Bounds, u32)], turns: Turns) -> Result<Tree, BadBoxes> {
     check(container, boxes)?;
     let mut tree = TreeBuilder::new();
     let root = match boxes {
         [] => tree.nil(),
-        _ => Splitter::new(boxes, &mut tree).run(container)?,
+        _ => Splitter::new(boxes, turns, &mut tree).run(container)?,
     };
     Ok(tree.finish(root))
 }
@@ -141,6 +150,7 @@ impl Place {
 
 struct Splitter<'a> {
     tree: &'a mut TreeBuilder,
+    turns: Turns,
     pieces: Vec<Piece>,
     /// By axis: the spans of all containers still to do, one container after the other, by low end.
     orders: [Vec<Span>; 3],
@@ -157,10 +167,11 @@ struct Splitter<'a> {
 }
 
 impl<'a> Splitter<'a> {
-    fn new(boxes: &[(Bounds, u32)], tree: &'a mut TreeBuilder) -> Splitter<'a> {
+    fn new(boxes: &[(Bounds, u32)], turns: Turns, tree: &'a mut TreeBuilder) -> Splitter<'a> {
         let pieces = numbered_along_x(boxes);
         Splitter {
             tree,
+            turns,
             orders: Axis::ALL.map(|axis| sorted_spans(boxes, &pieces, axis)),
             part_of: vec![0; pieces.len()],
             pieces,
@@ -175,7 +186,7 @@ impl<'a> Splitter<'a> {
 
     /// Everything is a part of some split, the whole as well: of one with a single part, which falls away.
     fn run(mut self, container: Bounds) -> Result<NodeId, BadBoxes> {
-        let place = Place { cell: container, axis: Axis::Z };
+        let place = Place { cell: container, axis: self.turns[2] };
         self.tasks.push(Task::Close { axis: place.axis, first: 0, len: place.len() });
         self.tasks.push(Task::Container { start: 0, place, settled: None });
         while let Some(task) = self.tasks.pop() {
@@ -222,7 +233,7 @@ impl<'a> Splitter<'a> {
     }
 
     fn division(&mut self, start: usize, last: Axis, settled: Option<Axis>) -> Result<Division, BadBoxes> {
-        for axis in turns_after(last).into_iter().filter(|&axis| Some(axis) != settled) {
+        for axis in turns_after(self.turns, last).into_iter().filter(|&axis| Some(axis) != settled) {
             sweep(&self.orders[axis.index()], start, &mut self.groups);
             if self.groups.len() > 1 {
                 return Ok(Division::Clear(axis));
@@ -385,13 +396,10 @@ fn sorted_spans(boxes: &[(Bounds, u32)], pieces: &[Piece], axis: Axis) -> Vec<Sp
     spans
 }
 
-/// The axes in turn, y first in a whole: the next one first, the last one last.
-fn turns_after(last: Axis) -> [Axis; 3] {
-    match last {
-        Axis::Y => [Axis::X, Axis::Z, Axis::Y],
-        Axis::X => [Axis::Z, Axis::Y, Axis::X],
-        Axis::Z => [Axis::Y, Axis::X, Axis::Z],
-    }
+/// The axes in the order of `turns`, from the one after `last` round to `last` itself.
+fn turns_after(turns: Turns, last: Axis) -> Turns {
+    let at = turns.iter().position(|axis| *axis == last).unwrap_or(0);
+    [1, 2, 3].map(|step| turns[(at + step) % 3])
 }
 
 /// The groups of the spans from `start` on, which are sorted by low end: the open spans are counted down

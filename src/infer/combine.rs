@@ -12,8 +12,8 @@ use rustc_hash::FxHashMap;
 pub enum Chance {
     /// Wherever the structure is the same, as in seed 1: labels say what belongs together.
     Anywhere,
-    /// Only where draws that know nothing of each other cannot tear a building apart: where no example
-    /// shows two sizes, or where the parts are bodies of their own rather than slices of one.
+    /// Only in bodies of their own. Slices of one body that draw without knowing of each other would tear
+    /// it apart.
     Bodies,
 }
 
@@ -49,15 +49,23 @@ pub struct Kinds {
     pub list: Vec<Kind>,
     /// The places of each kind: the example, and the box in it.
     pub places: Vec<Vec<(usize, Bounds)>>,
-    /// The kind of each example.
+    /// The kind of each slab.
     pub roots: Vec<KindId>,
     /// Whether a kind can be any length along an axis that is not below the shortest seen.
     elastic: Vec<[bool; 3]>,
 }
 
+/// A part of an example with its split tree.
+#[derive(Debug)]
+pub struct Slab {
+    pub example: usize,
+    pub bounds: Bounds,
+    pub tree: Tree,
+}
+
 /// Finds the kinds of the trees, each laid out in its box.
-pub fn combine(trees: &[(Tree, Bounds)], chance: Chance) -> Kinds {
-    let forest = Forest::plant(trees);
+pub fn combine(slabs: &[Slab], chance: Chance) -> Kinds {
+    let forest = Forest::plant(slabs);
     let mut kinds = Kinds { list: Vec::new(), places: Vec::new(), roots: Vec::new(), elastic: Vec::new() };
     let mut of_node = vec![KindId(u32::MAX); forest.nodes.len()];
     let mut simple: FxHashMap<u64, KindId> = FxHashMap::default();
@@ -166,6 +174,7 @@ impl Kinds {
 
     fn stretch(&self, content: &Content, axis: Axis) -> Stretch {
         match content {
+            Content::One(kind) if self.list[kind.0 as usize] == Kind::Nil => Stretch::Empty,
             Content::One(kind) if self.is_elastic(*kind, axis) => Stretch::Elastic,
             Content::One(_) => Stretch::Rigid,
             Content::Repeat(unit) => Stretch::Multiple(unit.iter().map(|(len, _)| len).sum()),
@@ -217,16 +226,11 @@ fn are_alike(a: &Lengths, b: &Lengths) -> bool {
 const BODY: i32 = 3;
 
 fn is_free(members: &Members, forest: &Forest) -> bool {
-    let is_body = |number: &usize| {
+    members.iter().all(|(number, _)| {
         let node = &forest.nodes[*number];
         let Grown::Split { axis, .. } = &node.grown else { return false };
         axis.others().iter().all(|other| node.bounds.len(*other) >= BODY)
-    };
-    let mut sizes: FxHashMap<usize, &Lengths> = FxHashMap::default();
-    let one_size_an_example = members
-        .iter()
-        .all(|(number, lengths)| *sizes.entry(forest.nodes[*number].example).or_insert(lengths) == lengths);
-    one_size_an_example || members.iter().all(|(number, _)| is_body(number))
+    })
 }
 
 /// One kind for each set of lengths that agrees in all parts but the one that varies most.
@@ -274,10 +278,10 @@ enum Grown {
 }
 
 impl Forest {
-    fn plant(trees: &[(Tree, Bounds)]) -> Forest {
+    fn plant(slabs: &[Slab]) -> Forest {
         let mut forest = Forest { nodes: Vec::new(), roots: Vec::new() };
-        for (example, (tree, bounds)) in trees.iter().enumerate() {
-            let root = forest.plant_tree(example, tree, *bounds);
+        for slab in slabs {
+            let root = forest.plant_tree(slab.example, &slab.tree, slab.bounds);
             forest.roots.push(root);
         }
         forest

@@ -163,7 +163,7 @@ impl<'g> Search<'g, '_> {
                 self.repeat(node, *axis, count.0 as u32, scope)
             }
             Op::Rotate { angle: Expr::Number(angle), .. } => {
-                let turn = Turn::quarters((angle.0 / std::f64::consts::FRAC_PI_2).round() as i32);
+                let turn = Turn::quarters((angle.0 / 90.0).round() as i32);
                 children.all(|(_, child)| self.derives(child, scope.turned(turn)))
             }
             _ => false,

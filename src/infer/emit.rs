@@ -2,6 +2,7 @@
 
 use super::combine::{Content, Item, Kind, KindId, Kinds};
 use super::example::{Example, Terminal, Terminals};
+use super::exchange::Exchange;
 use super::fold::Piece;
 use super::law::Law;
 use super::naming;
@@ -12,13 +13,13 @@ use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, OpGraph, Size
 use crate::space::{Axis, Cell, Up};
 
 /// The op graph of all kinds. Its root chooses between the examples that no rule could join.
-pub fn emit(kinds: &Kinds, terminals: &Terminals, examples: &[Example]) -> OpGraph {
+pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, examples: &[Example]) -> OpGraph {
     let mut emitter = Emitter { builder: Builder::default(), constants: Vec::new(), nodes: Vec::new() };
     for kind in &kinds.list {
         let node = emitter.kind(kind, terminals);
         emitter.nodes.push(node);
     }
-    let root = emitter.root(kinds, examples);
+    let root = emitter.root(&slab_nodes(kinds, exchanges, &emitter.nodes), exchanges, examples);
     let Emitter { builder, constants, nodes } = emitter;
     let (mut graph, kept) = builder.finish(root);
     graph.constants = constants;
@@ -93,7 +94,7 @@ impl Emitter {
         match turn {
             0 => primitive,
             turn => {
-                let angle = Expr::number(f64::from(turn) * std::f64::consts::FRAC_PI_2);
+                let angle = Expr::number(90.0 * f64::from(turn));
                 let op = Op::Rotate { axis: Expr::Axis(Up::Y.axis()), angle };
                 self.builder.node(op, vec![(Arg::None, primitive)])
             }
@@ -110,47 +111,73 @@ impl Emitter {
         Expr::Constant(at)
     }
 
-    /// The choice between the kinds of whole examples. Where they were seen at different sizes, each is
-    /// bound to its own: at others it would be stretched out of shape.
-    fn root(&mut self, kinds: &Kinds, examples: &[Example]) -> NodeIndex {
-        let mut seen: Vec<(NodeIndex, Vec<Cell>)> = Vec::new();
-        for (kind, example) in kinds.roots.iter().zip(examples) {
-            let (node, size) = (self.node(*kind), example.bounds().size());
-            match seen.iter_mut().find(|(known, _)| *known == node) {
-                Some((_, sizes)) => sizes.push(size),
-                None => seen.push((node, vec![size])),
-            }
-        }
-        if let [(only, _)] = seen.as_slice() {
-            return *only;
-        }
+    /// The choice between examples of different sizes. Each is bound to its own size: at others it would be
+    /// stretched out of shape.
+    fn root(&mut self, slabs: &[Vec<NodeIndex>], exchanges: &[Exchange], examples: &[Example]) -> NodeIndex {
+        let size = |group: &Exchange| examples[group.members[0]].bounds().size();
         let varying: Vec<Axis> = Axis::ALL
             .into_iter()
-            .filter(|axis| {
-                let mut lengths = seen.iter().flat_map(|(_, sizes)| sizes).map(|size| axis.of(*size));
-                let first = lengths.next();
-                lengths.any(|length| Some(length) != first)
-            })
+            .filter(|axis| exchanges.iter().any(|group| axis.of(size(group)) != axis.of(size(&exchanges[0]))))
             .collect();
-        let mut by_condition: Vec<(Option<Expr>, Vec<(f64, NodeIndex)>)> = Vec::new();
-        for (node, sizes) in seen {
-            let (condition, weight) = (size_condition(&varying, &sizes), sizes.len() as f64);
-            match by_condition.iter_mut().find(|(known, _)| *known == condition) {
-                Some((_, nodes)) => nodes.push((weight, node)),
-                None => by_condition.push((condition, vec![(weight, node)])),
+        let mut seen: Vec<(NodeIndex, Vec<Cell>, f64)> = Vec::new();
+        for group in exchanges {
+            let node = self.from_slab(group, slabs, 0, &group.members);
+            let weight = group.members.len() as f64;
+            match seen.iter_mut().find(|(known, ..)| *known == node) {
+                Some((_, sizes, sum)) => {
+                    sizes.push(size(group));
+                    *sum += weight;
+                }
+                None => seen.push((node, vec![size(group)], weight)),
             }
         }
-        let mut alternatives = Vec::new();
-        for (condition, nodes) in by_condition {
-            let weight = Expr::number(nodes.iter().map(|(weight, _)| weight).sum());
-            let child = self.builder.choose(nodes);
-            if condition.is_none() {
-                return child;
-            }
-            alternatives.push((Arg::Alternative(Alternative { condition, weight }), child));
+        if let [(only, ..)] = seen.as_slice() {
+            return *only;
         }
+        let alternatives = seen.into_iter().map(|(node, sizes, weight)| {
+            let condition = size_condition(&varying, &sizes);
+            (Arg::Alternative(Alternative { condition, weight: Expr::number(weight) }), node)
+        });
+        let alternatives = alternatives.collect();
         self.builder.node(Op::Choose, alternatives)
     }
+
+    /// What stands from slab `slab` on: that slab of any of `members`, and past it what can stand there.
+    fn from_slab(
+        &mut self,
+        group: &Exchange,
+        slabs: &[Vec<NodeIndex>],
+        slab: usize,
+        members: &[usize],
+    ) -> NodeIndex {
+        let mut alternatives = Vec::new();
+        for member in members {
+            let node = slabs[*member][slab];
+            let node = match group.planes.get(slab) {
+                None => node,
+                Some(plane) => {
+                    let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at);
+                    let length = Size::absolute(Expr::number(f64::from(plane.at - low)));
+                    let rest = self.from_slab(group, slabs, slab + 1, &group.exchangeable(plane, *member));
+                    let parts = vec![(length, node), (Size::floating(1.0), rest)];
+                    self.builder.split(Expr::Axis(group.axis), parts)
+                }
+            };
+            alternatives.push((1.0, node));
+        }
+        self.builder.choose(alternatives)
+    }
+}
+
+/// The nodes of the slabs of each example, from the low end up.
+fn slab_nodes(kinds: &Kinds, exchanges: &[Exchange], nodes: &[NodeIndex]) -> Vec<Vec<NodeIndex>> {
+    let mut roots = kinds.roots.iter().map(|kind| nodes[kind.0 as usize]);
+    let count: usize = exchanges.iter().map(|group| group.members.len()).sum();
+    let planes = |example: usize| {
+        let group = exchanges.iter().find(|group| group.members.contains(&example));
+        group.map_or(0, |group| group.planes.len())
+    };
+    (0..count).map(|example| roots.by_ref().take(planes(example) + 1).collect()).collect()
 }
 
 /// That the scope has one of `sizes` along the axes that tell examples apart.

@@ -1,10 +1,11 @@
 //! Examples as split trees over one set of terminals.
 
 use super::tree::{Node, NodeId, Part, Tree, TreeBuilder};
-use super::{BadBoxes, cuboids, split_boxes};
+use super::{BadBoxes, PLAN_FIRST, UPRIGHT_FIRST, cuboids, split_boxes};
 use crate::block::{self, BlockState, Palette};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::space::{Axis, Bounds};
+use ndarray::Array3;
 use std::collections::BTreeMap;
 
 /// A building to learn from.
@@ -32,6 +33,12 @@ pub struct Terminals {
 }
 
 impl Terminals {
+    /// The number of each block of a palette.
+    fn of_palette(&mut self, grid: &Grid) -> Vec<u32> {
+        let states = grid.palette().states().iter();
+        states.map(|state| self.number(Terminal::Block(block::complete(state)))).collect()
+    }
+
     fn number(&mut self, terminal: Terminal) -> u32 {
         *self.numbers.entry(terminal.clone()).or_insert_with(|| {
             self.list.push(terminal);
@@ -57,28 +64,37 @@ impl Example {
         }
     }
 
-    /// The split tree of the example.
-    pub fn tree(&self, terminals: &mut Terminals) -> Result<Tree, BadBoxes> {
+    /// The terminal of every cell, indexed `[y, z, x]`; `None` for labelled boxes.
+    pub fn cells(&self, terminals: &mut Terminals) -> Option<Array3<u32>> {
+        let Example::Blocks(grid) = self else { return None };
+        let numbers = terminals.of_palette(grid);
+        Some(grid.cells().mapv(|id| numbers[usize::from(id)]))
+    }
+
+    /// The terminals of the example with their boxes.
+    pub fn boxes(&self, terminals: &mut Terminals) -> Vec<(Bounds, u32)> {
         match self {
             Example::Blocks(grid) => {
-                let numbers: Vec<u32> = grid
-                    .palette()
-                    .states()
-                    .iter()
-                    .map(|state| terminals.number(Terminal::Block(block::complete(state))))
-                    .collect();
-                let boxes: Vec<(Bounds, u32)> =
-                    cuboids(grid).into_iter().map(|(bounds, id)| (bounds, numbers[id as usize])).collect();
-                split_boxes(grid.bounds(), &boxes).map(|tree| joined(&tree))
+                let numbers = terminals.of_palette(grid);
+                cuboids(grid).into_iter().map(|(bounds, id)| (bounds, numbers[id as usize])).collect()
             }
-            Example::Boxes(labelled) => {
-                let mut labelled_boxes = Vec::with_capacity(labelled.boxes.len());
-                for labelled in &labelled.boxes {
-                    labelled_boxes
-                        .push((labelled.bounds, terminals.number(Terminal::Label(labelled.label.clone()))));
-                }
-                split_boxes(labelled.container, &labelled_boxes)
+            Example::Boxes(labelled) => labelled
+                .boxes
+                .iter()
+                .map(|labelled| (labelled.bounds, terminals.number(Terminal::Label(labelled.label.clone()))))
+                .collect(),
+        }
+    }
+
+    /// The split tree of the part of the example in `bounds`, from its `boxes`.
+    pub fn tree(&self, bounds: Bounds, boxes: &[(Bounds, u32)]) -> Result<Tree, BadBoxes> {
+        match self {
+            Example::Blocks(_) => {
+                let inside = boxes.iter().map(|(own, label)| (own.intersect(&bounds), *label));
+                let inside: Vec<(Bounds, u32)> = inside.filter(|(own, _)| !own.is_empty()).collect();
+                split_boxes(bounds, &inside, UPRIGHT_FIRST).map(|tree| joined(&tree))
             }
+            Example::Boxes(_) => split_boxes(bounds, boxes, PLAN_FIRST),
         }
     }
 }

@@ -45,6 +45,8 @@ fn longest(lengths: &Lengths) -> Vec<usize> {
 /// What a part can do where lengths are left to chance.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stretch {
+    /// Is empty space.
+    Empty,
     /// Can be as long as any length between those seen.
     Elastic,
     /// Can only be multiples of this length.
@@ -54,7 +56,8 @@ pub enum Stretch {
 }
 
 /// Laws that may give each of `seen`, and lengths between (seed 1, section 10.3): one part floats, the
-/// others that vary are drawn from the range of their lengths. The elastic part that varies most floats.
+/// others that vary are drawn from the range of their lengths. Empty space floats before an elastic part,
+/// then what varies most.
 ///
 /// `None` where a draw could ask too much: of a part that cannot stretch so far, or of a scope as short as
 /// the shortest seen.
@@ -66,12 +69,13 @@ pub fn ranges(seen: &[&Lengths], stretch: &[Stretch]) -> Option<Vec<Law>> {
     let varies = |part: &usize| range(*part).0 < range(*part).1;
     let spread = |part: &usize| range(*part).1 - range(*part).0;
     let parts = 0..stretch.len();
-    let can_float = |part: &usize| varies(part) && stretch[*part] == Stretch::Elastic;
-    let floating = parts.clone().rev().filter(can_float).max_by_key(spread)?;
+    let is_empty = |part: &usize| stretch[*part] == Stretch::Empty;
+    let can_float = |part: &usize| varies(part) && (is_empty(part) || stretch[*part] == Stretch::Elastic);
+    let floating = parts.clone().rev().filter(can_float).max_by_key(|part| (is_empty(part), spread(part)))?;
     let law = |part: usize| match (range(part), stretch[part]) {
         _ if part == floating => Some(Law::Float),
         ((low, high), _) if low == high => Some(Law::Const(low)),
-        ((low, high), Stretch::Elastic) => Some(Law::Range { low, high, step: 1 }),
+        ((low, high), Stretch::Empty | Stretch::Elastic) => Some(Law::Range { low, high, step: 1 }),
         ((low, high), Stretch::Multiple(step)) => Some(Law::Range { low, high, step }),
         (_, Stretch::Rigid) => None,
     };

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Grid --cuboids--> boxes of one block state --split_boxes--> Tree --combine--> Kinds --emit--> OpGraph
+//!   \--exchanges--> planes where examples can be exchanged ------------------------/
 //! ```
 
 pub mod boxes;
@@ -10,14 +11,16 @@ pub mod cuboids;
 mod derivable;
 mod emit;
 mod example;
+mod exchange;
 mod fold;
 mod law;
 mod naming;
 pub mod tree;
 
 use crate::graph::OpGraph;
+use combine::Slab;
 
-pub use boxes::{BadBoxes, split_boxes};
+pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
 pub use cuboids::cuboids;
 pub use derivable::{Derivable, derivable};
 pub use example::{Example, Terminal, Terminals};
@@ -49,28 +52,34 @@ impl InferError {
 }
 
 /// Learns one op graph from all examples by the method of seed 1 (chapters 9 and 10): split each into its
-/// terminals, then make one operation of what is equal or differs in size only.
+/// terminals, then make one operation of what is equal or differs in size only. Examples of blocks that
+/// have one size are first cut at the planes where they can be exchanged.
 ///
 /// The graph derives every example; [`derivable`] proves it.
 pub fn infer(examples: &[Example]) -> Result<OpGraph, InferError> {
+    let first = examples.first().ok_or(InferError::NoExample)?;
     let mut terminals = Terminals::default();
-    let mut trees = Vec::with_capacity(examples.len());
+    let exchanges = exchange::exchanges(examples, &mut terminals);
+    let mut slabs = Vec::new();
     for (number, example) in examples.iter().enumerate() {
         if example.is_empty() {
             return Err(InferError::Empty { example: number });
         }
-        if std::mem::discriminant(example) != std::mem::discriminant(&examples[0]) {
+        if std::mem::discriminant(example) != std::mem::discriminant(first) {
             return Err(InferError::Mixed { example: number });
         }
-        let tree = example.tree(&mut terminals);
-        let tree = tree.map_err(|problem| InferError::Boxes { example: number, problem })?;
-        trees.push((tree, example.bounds()));
+        let boxes = example.boxes(&mut terminals);
+        let group = exchanges.iter().find(|group| group.members.contains(&number));
+        for bounds in group.map_or_else(Vec::new, |group| group.slabs(example.bounds())) {
+            let tree = example.tree(bounds, &boxes);
+            let tree = tree.map_err(|problem| InferError::Boxes { example: number, problem })?;
+            slabs.push(Slab { example: number, bounds, tree });
+        }
     }
-    let chance = match examples.first() {
-        None => return Err(InferError::NoExample),
-        Some(Example::Blocks(_)) => combine::Chance::Bodies,
-        Some(Example::Boxes(_)) => combine::Chance::Anywhere,
+    let chance = match first {
+        Example::Blocks(_) => combine::Chance::Bodies,
+        Example::Boxes(_) => combine::Chance::Anywhere,
     };
-    let kinds = combine::combine(&trees, chance);
-    Ok(emit::emit(&kinds, &terminals, examples))
+    let kinds = combine::combine(&slabs, chance);
+    Ok(emit::emit(&kinds, &exchanges, &terminals, examples))
 }

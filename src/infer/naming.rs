@@ -46,13 +46,14 @@ fn named_nodes(graph: &OpGraph) -> Vec<NodeIndex> {
     let mut words = vec![0; graph.len()];
     let mut named = vec![graph.root()];
     for node in graph.children_first().unwrap_or_default() {
-        let is_leaf = matches!(graph.op(node), Op::Primitive { .. } | Op::Nil);
+        let is_leaf = graph.is_leaf(node);
         let inner: usize = graph.children(node).map(|(_, child)| words[child.index()]).sum();
-        let is_named = *graph.op(node) == Op::Choose || inner > LONG || (!is_leaf && graph.uses(node) > 1);
+        let is_named =
+            *graph.op(node) == Op::Choose || (!is_leaf && inner > LONG) || (!is_leaf && graph.uses(node) > 1);
         if is_named && node != graph.root() {
             named.push(node);
         }
-        words[node.index()] = if is_named { 1 } else { 1 + inner };
+        words[node.index()] = if is_named || is_leaf { 1 } else { 1 + inner };
     }
     named
 }

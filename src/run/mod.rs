@@ -76,12 +76,15 @@ pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made
     Ok(Made { made: grid, warnings })
 }
 
-/// Runs a graph and lists its primitives as labelled boxes in the grammar's own axes, in the order placed.
+/// Runs a graph and lists its primitives as labelled boxes in the world's axes, in the order placed. A
+/// primitive that is turned carries its angle in degrees: `corner@90`.
 pub fn run_boxes(graph: &OpGraph, options: &Options) -> Result<Made<Vec<LabelledBox>>, RunError> {
     let scope = start_scope(graph, options)?;
     let mut boxes = Vec::new();
     let warnings = derive(graph, scope, options, &mut |placement| {
-        let label = placement.name.text().to_owned();
+        let degrees = 90 * u32::from(placement.scope.frame.turn.count());
+        let name = placement.name.text();
+        let label = if degrees == 0 { name.to_owned() } else { format!("{name}@{degrees}") };
         boxes.push(LabelledBox { label, bounds: placement.scope.bounds });
         Ok(())
     })?;

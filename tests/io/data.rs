@@ -1,20 +1,9 @@
 //! Real files: the houses and builds beside the repository.
 
+use super::real::folder;
 use super::{read, read_grid};
 use std::path::{Path, PathBuf};
 use vox::io::{Content, SchemVersion, encode_schem};
-
-/// The folder of real inputs; `None`, with a word, where it is missing.
-fn folder() -> Option<PathBuf> {
-    let beside = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data");
-    let folder = std::env::var_os("VOX_DATA").map_or_else(beside, PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    assert!(std::env::var_os("CI").is_none(), "{} is missing", folder.display());
-    eprintln!("skipped: {} is missing", folder.display());
-    None
-}
 
 fn schematics(folder: &Path) -> Vec<PathBuf> {
     let patterns = ["houses/*/*.schem", "builds/*.schem"];
