@@ -10,7 +10,7 @@ use std::str::FromStr;
 /// Parses a grammar file. Every error of the file is reported.
 pub fn parse(text: &str) -> Result<Grammar, Vec<Diagnostic>> {
     let lexed = lex(text);
-    let mut parser = Parser { text, tokens: &lexed.tokens, at: 0, depth: 0 };
+    let mut parser = Parser { text, tokens: &lexed.tokens, at: 0, depth: 0, operators: 0 };
     let mut grammar = Grammar::default();
     let mut errors = lexed.errors;
     let mut comments = Comments { text, rest: &lexed.comments };
@@ -88,14 +88,20 @@ impl Comments<'_> {
     }
 }
 
-/// Rules nested deeper than this in one another's braces are refused, so that no text overflows the stack.
+/// Operations and brackets nested deeper than this are refused, so that no text overflows the stack.
 const MAX_DEPTH: usize = 200;
+
+/// Expressions with more operators than this are refused: each may lie below the one before it in the tree,
+/// and the sums in nested brackets add up.
+const MAX_OPERATORS: usize = 200;
 
 struct Parser<'t> {
     text: &'t str,
     tokens: &'t [Token],
     at: usize,
     depth: usize,
+    /// Operators between two operands in the expression so far.
+    operators: usize,
 }
 
 type Parse<T> = Result<T, Box<Diagnostic>>;
@@ -482,6 +488,12 @@ impl<'t> Parser<'t> {
     }
 
     fn expr(&mut self) -> Parse<Expr> {
+        self.operators = 0;
+        self.inner_expr()
+    }
+
+    /// An expression that is part of another.
+    fn inner_expr(&mut self) -> Parse<Expr> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             return Err(self.unexpected("the expression is nested too deeply"));
@@ -494,9 +506,9 @@ impl<'t> Parser<'t> {
     /// Operators that bind at least as tightly as `least`, by precedence climbing.
     fn binary(&mut self, least: u8) -> Parse<Expr> {
         let mut left = self.unary()?;
-        for length in 1.. {
-            let Some(op) = self.binary_op().filter(|op| op.binding() >= least) else { break };
-            if length > MAX_DEPTH {
+        while let Some(op) = self.binary_op().filter(|op| op.binding() >= least) {
+            self.operators += 1;
+            if self.operators > MAX_OPERATORS {
                 return Err(self.unexpected("the expression is too long"));
             }
             self.next();
@@ -549,7 +561,7 @@ impl<'t> Parser<'t> {
             }
             Kind::Symbol("(") => {
                 self.next();
-                let inner = self.expr()?;
+                let inner = self.inner_expr()?;
                 let close = self.expect(")", "to close the bracket")?;
                 Ok(Expr { span: token.span.to(close.span), ..inner })
             }
@@ -582,7 +594,7 @@ impl<'t> Parser<'t> {
             return Ok(Expr { kind: ExprKind::Name(name.to_owned()), span: token.span });
         };
         let args = match self.accept("(") {
-            Some(_) => self.list(")", |parser| parser.expr())?,
+            Some(_) => self.list(")", |parser| parser.inner_expr())?,
             None => Vec::new(),
         };
         let span = token.span.to(Span::new(0, self.previous_end()));
