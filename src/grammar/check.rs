@@ -115,7 +115,7 @@ impl<'g> Checker<'g> {
     }
 
     fn defined_name(&mut self, ident: &Ident) {
-        if RESERVED.contains(&ident.name.as_str()) || Function::of_name(&ident.name).is_some() {
+        if RESERVED.contains(&ident.name.as_str()) {
             let message = format!("`{}` is a word of the language", ident.name);
             self.error(ident.span, message, "cannot be defined", Some("choose another name".to_owned()));
         }

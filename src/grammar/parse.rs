@@ -590,7 +590,9 @@ impl<'t> Parser<'t> {
         if name == "scope" && self.accept(".").is_some() {
             return self.scope_size(token.span);
         }
-        let Some(function) = Function::of_name(name) else {
+        // Only `rand` is a function without brackets; the others may be names: `floor = 4`.
+        let is_called = name == Function::Rand.name() || self.is_symbol("(");
+        let Some(function) = Function::of_name(name).filter(|_| is_called) else {
             return Ok(Expr { kind: ExprKind::Name(name.to_owned()), span: token.span });
         };
         let args = match self.accept("(") {
