@@ -1,17 +1,18 @@
 //! Lowering: a checked grammar becomes an op graph (seed 1, section 5.1).
 
 use super::{Alternative, Arg, Expr, Group, Number, Op, OpGraph, Origin, RuleName, Size, StartSize, Thing};
-use crate::grammar::ast::{self, ExprKind, Ident, Item, Rule, Successor};
+use crate::grammar::ast::{self, ExprKind, Ident, Item, Rule, Successor, UnaryOp};
 use crate::grammar::{Checked, Name, Names, is_primitive};
 use petgraph::graph::{DiGraph, NodeIndex};
 use std::collections::BTreeMap;
 
-/// The label to start from has no rules.
+/// Why a grammar cannot start from a label.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-#[error("there is no rule `{label}` to start from; the grammar has {}", .known.join(", "))]
-pub struct UnknownStart {
-    pub label: String,
-    pub known: Vec<String>,
+pub enum BadStart {
+    #[error("there is no rule `{label}` to start from; the grammar has {}", .known.join(", "))]
+    Unknown { label: String, known: Vec<String> },
+    #[error("`{label}` takes parameters ({}), so nothing can start from it: add a rule that calls it", .params.join(", "))]
+    TakesParameters { label: String, params: Vec<String> },
 }
 
 /// The op graph of a grammar from `start`, or from its first rule.
@@ -19,13 +20,18 @@ pub struct UnknownStart {
 /// A label with one plain rule is that rule's operation; with several rules, or with a condition, it is
 /// a choice between them. Every operation of the text is a node of its own, so that it keeps its place
 /// in the text; [`OpGraph::unified`] joins equal ones.
-pub fn lower(checked: &Checked, start: Option<&str>) -> Result<OpGraph, UnknownStart> {
+pub fn lower(checked: &Checked, start: Option<&str>) -> Result<OpGraph, BadStart> {
     let start = start.unwrap_or_else(|| checked.first_label());
-    if checked.rules_of(start).next().is_none() {
-        let mut known: Vec<String> =
-            checked.grammar().rules.iter().map(|rule| rule.label.name.clone()).collect();
-        known.dedup();
-        return Err(UnknownStart { label: start.to_owned(), known });
+    let label = start.to_owned();
+    match checked.rules_of(start).next() {
+        None => {
+            return Err(BadStart::Unknown { label, known: checked.labels().map(str::to_owned).collect() });
+        }
+        Some(rule) if !rule.params.is_empty() => {
+            let params = rule.params.iter().map(|param| param.name.clone()).collect();
+            return Err(BadStart::TakesParameters { label, params });
+        }
+        Some(_) => {}
     }
     let mut lowering = Lowering::new(checked);
     lowering.out.root = lowering.label(start);
@@ -81,20 +87,24 @@ impl<'g> Lowering<'g> {
 
     /// The node of a label, reserved now and filled later: rules may call one another in rings.
     fn label(&mut self, label: &'g str) -> NodeIndex {
-        if let Some(&node) = self.labels.get(label) {
-            return node;
-        }
         let checked = self.checked;
-        let mut rules = checked.rules_of(label);
-        let node = match (rules.next(), rules.next()) {
-            (Some(rule), None) if rule.condition.is_none() => match &rule.successor.op {
-                ast::Op::Call { label, args } if args.is_empty() => self.label(&label.name),
-                _ => self.reserve(rule, Work::Rule(rule)),
-            },
-            (Some(rule), _) => self.reserve(rule, Work::Choose(label)),
-            (None, _) => unreachable!("a checked grammar has rules for every label"),
+        let mut names = vec![label];
+        let node = loop {
+            let label = names[names.len() - 1];
+            if let Some(&node) = self.labels.get(label) {
+                break node;
+            }
+            let mut rules = checked.rules_of(label);
+            match (rules.next(), rules.next()) {
+                (Some(rule), None) if rule.condition.is_none() => match &rule.successor.op {
+                    ast::Op::Call { label, args } if args.is_empty() => names.push(&label.name),
+                    _ => break self.reserve(rule, Work::Rule(rule)),
+                },
+                (Some(rule), _) => break self.reserve(rule, Work::Choose(label)),
+                (None, _) => unreachable!("a checked grammar has rules for every label"),
+            }
         };
-        self.labels.insert(label, node);
+        self.labels.extend(names.into_iter().map(|name| (name, node)));
         node
     }
 
@@ -238,7 +248,11 @@ fn resolve(expr: &ast::Expr, names: Names<'_>) -> Expr {
         ExprKind::Block(text) => Expr::Thing(Thing::Block(text.clone())),
         ExprKind::File(name) => Expr::Thing(Thing::File(name.clone())),
         ExprKind::ScopeSize(axis) => Expr::ScopeSize(*axis),
-        ExprKind::Unary(op, operand) => Expr::Unary(*op, inner(operand)),
+        ExprKind::Unary(op, operand) => match (op, *inner(operand)) {
+            // A number below zero is one number, whichever way it came to the graph.
+            (UnaryOp::Negate, Expr::Number(Number(value))) => Expr::number(-value),
+            (op, operand) => Expr::Unary(*op, Box::new(operand)),
+        },
         ExprKind::Binary(op, left, right) => Expr::Binary(*op, inner(left), inner(right)),
         ExprKind::Call(function, args) => {
             Expr::Call(*function, args.iter().map(|arg| resolve(arg, names)).collect())

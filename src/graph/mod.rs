@@ -13,7 +13,7 @@ mod unify;
 pub use build::Builder;
 pub use dot::dot;
 pub use expr::{Expr, Number, Thing};
-pub use lower::{UnknownStart, lower};
+pub use lower::{BadStart, lower};
 pub use op::{Alternative, Arg, Group, Op, OpGraph, Origin, RuleName, Size, StartSize};
 pub use petgraph::graph::NodeIndex;
 pub use raise::raise;
