@@ -64,7 +64,8 @@ impl Hash for Number {
 
 impl Expr {
     pub fn number(value: f64) -> Expr {
-        Expr::Number(Number(value))
+        // Zero has no sign: -0 + 0 is 0.
+        Expr::Number(Number(value + 0.0))
     }
 
     pub fn name(name: impl Into<String>) -> Expr {

@@ -123,11 +123,14 @@ impl<'g> Raising<'g> {
         Successor::new(match graph.op(node) {
             Op::Nil => ast::Op::Nil,
             Op::Primitive { name, material } => {
-                let name = self.expr(name, params);
-                // A constant of the shape's own name is what the shape is made of unless another is named.
-                let material = material.as_ref().map(|material| self.expr(material, params));
-                let material = material.filter(|material| material.kind != name.kind);
-                ast::Op::Primitive { name, material }
+                let text = self.expr(name, params);
+                let material = material.as_ref().and_then(|material| {
+                    let raised = self.expr(material, params);
+                    // A constant of the shape's own name is what the shape is made of unless another is named.
+                    let is_own = matches!((name, material), (Expr::Thing(_), Expr::Constant(_)));
+                    (!is_own || raised.kind != text.kind).then_some(raised)
+                });
+                ast::Op::Primitive { name: text, material }
             }
             Op::Call(args) => {
                 let target = graph.children(node).next().map_or(node, |(_, child)| child);
