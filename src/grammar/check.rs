@@ -2,6 +2,7 @@
 
 use super::ast::*;
 use super::names::{Name, Names};
+use super::parse::{Parsed, parse_items};
 use super::{Diagnostic, PRIMITIVES, Severity, Span, is_primitive};
 use crate::block::{self, BlockState};
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,6 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(Clone, Debug)]
 pub struct Checked {
     grammar: Grammar,
+    /// The places of each label's rules.
+    rules: BTreeMap<String, Vec<usize>>,
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -23,15 +26,44 @@ impl Checked {
         &self.grammar.rules[0].label.name
     }
 
-    /// The rules of a label, in the order of the file.
-    pub fn rules_of<'g>(&'g self, label: &'g str) -> impl Iterator<Item = &'g Rule> {
-        self.grammar.rules.iter().filter(move |rule| rule.label.name == label)
+    /// Every label, in alphabetical order.
+    pub fn labels(&self) -> impl Iterator<Item = &str> {
+        self.rules.keys().map(String::as_str)
     }
+
+    /// The rules of a label, in the order of the file.
+    pub fn rules_of(&self, label: &str) -> impl Iterator<Item = &Rule> + use<'_> {
+        self.rules.get(label).into_iter().flatten().map(|at| &self.grammar.rules[*at])
+    }
+}
+
+/// Parses and checks the text of a grammar. Every error is reported, with the warnings, in the order of their
+/// places; an error in one rule does not hide those in others.
+pub fn read(text: &str) -> Result<Checked, Vec<Diagnostic>> {
+    let Parsed { grammar, mut errors, broken } = parse_items(text);
+    if errors.is_empty() {
+        return check(grammar);
+    }
+    let found = findings(&grammar, &broken);
+    errors.extend(found.into_iter().filter(|finding| finding.severity == Severity::Error));
+    errors.sort_by_key(|finding| finding.span.start);
+    Err(errors)
 }
 
 /// Checks a grammar. Every error is reported, with the warnings, in the order of their places.
 pub fn check(grammar: Grammar) -> Result<Checked, Vec<Diagnostic>> {
-    let mut checker = Checker { arities: arities(&grammar), grammar: &grammar, found: Vec::new() };
+    let found = findings(&grammar, &BTreeSet::new());
+    match found.iter().any(|finding| finding.severity == Severity::Error) {
+        true => Err(found),
+        false => Ok(Checked { rules: places(&grammar), grammar, warnings: found }),
+    }
+}
+
+/// What is to be said of a grammar that may lack the items that define the names in `broken`.
+fn findings(grammar: &Grammar, broken: &BTreeSet<String>) -> Vec<Diagnostic> {
+    let mut rules: BTreeMap<&str, Vec<&Rule>> = BTreeMap::new();
+    grammar.rules.iter().for_each(|rule| rules.entry(&rule.label.name).or_default().push(rule));
+    let mut checker = Checker { grammar, rules, broken, found: Vec::new() };
     checker.constants();
     checker.sizes();
     grammar.rules.iter().for_each(|rule| checker.rule(rule));
@@ -39,14 +71,15 @@ pub fn check(grammar: Grammar) -> Result<Checked, Vec<Diagnostic>> {
     checker.unreachable();
     let mut found = checker.found;
     found.sort_by_key(|finding| finding.span.start);
-    match found.iter().any(|finding| finding.severity == Severity::Error) {
-        true => Err(found),
-        false => Ok(Checked { grammar, warnings: found }),
-    }
+    found
 }
 
-fn arities(grammar: &Grammar) -> BTreeMap<&str, usize> {
-    grammar.rules.iter().rev().map(|rule| (rule.label.name.as_str(), rule.params.len())).collect()
+fn places(grammar: &Grammar) -> BTreeMap<String, Vec<usize>> {
+    let mut places: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for (at, rule) in grammar.rules.iter().enumerate() {
+        places.entry(rule.label.name.clone()).or_default().push(at);
+    }
+    places
 }
 
 const RESERVED: [&str; 23] = [
@@ -66,7 +99,10 @@ enum Expected {
 
 struct Checker<'g> {
     grammar: &'g Grammar,
-    arities: BTreeMap<&'g str, usize>,
+    /// The rules of each label, in the order of the file.
+    rules: BTreeMap<&'g str, Vec<&'g Rule>>,
+    /// Names whose definitions could not be read.
+    broken: &'g BTreeSet<String>,
     found: Vec<Diagnostic>,
 }
 
@@ -131,7 +167,7 @@ impl<'g> Checker<'g> {
                 self.error(param.span, format!("the parameter `{}` stands twice", param.name), "again", None);
             }
         }
-        let arity = self.arities[rule.label.name.as_str()];
+        let arity = self.arity(&rule.label.name).unwrap_or(rule.params.len());
         if rule.params.len() != arity {
             let message = format!(
                 "`{}` has {} here, but {} in its first rule",
@@ -218,13 +254,14 @@ impl<'g> Checker<'g> {
     }
 
     fn call(&mut self, label: &Ident, args: &[Expr], span: Span) {
-        match self.arities.get(label.name.as_str()) {
+        match self.arity(&label.name) {
+            None if self.broken.contains(&label.name) => {}
             None => {
                 let hint = self.label_hint(&label.name);
                 let message = format!("there is no rule for `{}`", label.name);
                 self.error(label.span, message, "not defined", Some(hint));
             }
-            Some(&arity) if arity != args.len() => {
+            Some(arity) if arity != args.len() => {
                 let message =
                     format!("`{}` takes {}, not {}", label.name, count(arity, "argument"), args.len());
                 self.error(span, message, "called here", None);
@@ -233,8 +270,13 @@ impl<'g> Checker<'g> {
         }
     }
 
+    /// How many parameters the first rule of a label takes.
+    fn arity(&self, label: &str) -> Option<usize> {
+        self.rules.get(label).and_then(|rules| rules.first()).map(|rule| rule.params.len())
+    }
+
     fn label_hint(&self, name: &str) -> String {
-        if let Some(label) = closest(name, self.arities.keys().copied()) {
+        if let Some(label) = closest(name, self.rules.keys().copied()) {
             return format!("did you mean `{label}`?");
         }
         let is_constant = self.grammar.constants.iter().any(|constant| constant.name.name == name);
@@ -290,6 +332,7 @@ impl<'g> Checker<'g> {
     fn name(&mut self, name: &str, span: Span, params: &[Ident], expected: Expected) {
         match (Names { params, constants: &self.grammar.constants }).resolve(name) {
             Name::Param(_) => {}
+            Name::Thing if self.broken.contains(name) => {}
             Name::Constant(at) => {
                 let is = constant_type(&self.grammar.constants[at].value);
                 if is != Expected::Any {
@@ -335,29 +378,34 @@ impl<'g> Checker<'g> {
 
     // The whole file
 
-    /// A label whose only rule is another label, and so on in a ring, never does anything.
+    /// Labels whose only rule is another label, and so on in a ring, never do anything.
     fn aliases(&mut self) {
-        for rule in &self.grammar.rules {
-            let mut seen = BTreeSet::from([rule.label.name.as_str()]);
-            let mut next = self.alias(&rule.label.name);
-            while let Some(label) = next {
-                if !seen.insert(label) {
-                    let message = format!("`{}` only leads back to itself", rule.label.name);
-                    let hint = "give one of the rules in the ring an operation".to_owned();
-                    self.error(rule.label.span, message, "never ends", Some(hint));
-                    break;
-                }
+        let labels: Vec<&str> = self.rules.keys().copied().collect();
+        let mut known: BTreeSet<&str> = BTreeSet::new();
+        for start in labels {
+            let mut chain = Vec::new();
+            let mut next = Some(start);
+            while let Some(label) = next.filter(|label| known.insert(label)) {
+                chain.push(label);
                 next = self.alias(label);
             }
+            let ring = chain.iter().position(|label| Some(*label) == next);
+            ring.into_iter().for_each(|first| self.ring(&chain[first..]));
         }
     }
 
+    fn ring(&mut self, labels: &[&'g str]) {
+        for label in labels {
+            let message = format!("`{label}` only leads back to itself");
+            let hint = "give one of the rules in the ring an operation".to_owned();
+            self.error(self.rules[label][0].label.span, message, "never ends", Some(hint));
+        }
+    }
+
+    /// The label that a label is only another name of.
     fn alias(&self, label: &str) -> Option<&'g str> {
-        let mut rules = self.grammar.rules.iter().filter(|rule| rule.label.name == label);
-        match (rules.next(), rules.next()) {
-            (Some(Rule { successor: Successor { op: Op::Call { label, args }, .. }, .. }), None)
-                if args.is_empty() =>
-            {
+        match self.rules.get(label)?.as_slice() {
+            [Rule { successor: Successor { op: Op::Call { label, args }, .. }, .. }] if args.is_empty() => {
                 Some(&label.name)
             }
             _ => None,
@@ -366,10 +414,16 @@ impl<'g> Checker<'g> {
 
     fn unreachable(&mut self) {
         let Some(first) = self.grammar.rules.first() else { return };
+        if !first.params.is_empty() {
+            let message = format!("the first rule, `{}`, takes parameters", first.label.name);
+            let hint = "put a rule without parameters first, or start from one with `--start`";
+            let label = "nothing can start from it";
+            self.found.push(Diagnostic::warning(first.label.span, message).label(label).hint(hint));
+        }
         let mut reached = BTreeSet::from([first.label.name.as_str()]);
         let mut open = vec![first.label.name.as_str()];
         while let Some(label) = open.pop() {
-            for rule in self.grammar.rules.iter().filter(|rule| rule.label.name == label) {
+            for rule in self.rules.get(label).into_iter().flatten() {
                 for_each_call(&rule.successor, &mut |called| {
                     if reached.insert(called) {
                         open.push(called);

@@ -5,20 +5,39 @@ use super::ast::*;
 use super::lex::{Comment, Kind, Place, Token, lex};
 use super::{Diagnostic, Span};
 use crate::space::{Axis, Up};
+use std::collections::BTreeSet;
 use std::str::FromStr;
 
 /// Parses a grammar file. Every error of the file is reported.
 pub fn parse(text: &str) -> Result<Grammar, Vec<Diagnostic>> {
+    let Parsed { grammar, errors, .. } = parse_items(text);
+    if errors.is_empty() { Ok(grammar) } else { Err(errors) }
+}
+
+/// What could be read of a file.
+pub struct Parsed {
+    /// The items without errors.
+    pub grammar: Grammar,
+    /// In the order of their places.
+    pub errors: Vec<Diagnostic>,
+    /// The first word of each item with an error: the label or constant that it would define.
+    pub broken: BTreeSet<String>,
+}
+
+/// Parses all items of a file that can be parsed.
+pub fn parse_items(text: &str) -> Parsed {
     let lexed = lex(text);
     let mut parser = Parser { text, tokens: &lexed.tokens, at: 0, depth: 0, operators: 0 };
     let mut grammar = Grammar::default();
     let mut errors = lexed.errors;
+    let mut broken = BTreeSet::new();
     let mut comments = Comments { text, rest: &lexed.comments };
     grammar.preamble = comments.preamble();
     while parser.peek().kind != Kind::End {
         let start = parser.at;
         let above = comments.before(parser.peek().span.start);
         if let Err(error) = parser.item(&mut grammar, above) {
+            broken.insert(parser.word(parser.tokens[start]).to_owned());
             // One error a place: what the lexer refused is not refused again for what is missing there.
             if !errors.iter().any(|known| known.span.start == error.span.start) {
                 errors.push(*error);
@@ -32,7 +51,7 @@ pub fn parse(text: &str) -> Result<Grammar, Vec<Diagnostic>> {
         errors.push(Diagnostic::error(Span::new(0, 0), message).hint("for example `house --> I(stone)`"));
     }
     errors.sort_by_key(|error| error.span.start);
-    if errors.is_empty() { Ok(grammar) } else { Err(errors) }
+    Parsed { grammar, errors, broken }
 }
 
 impl FromStr for Grammar {
@@ -159,13 +178,22 @@ impl<'t> Parser<'t> {
         Ok(Ident { name: self.word(token).to_owned(), span: token.span })
     }
 
+    /// What is missing at the end of a line is told there, not at the first word of the next.
     fn unexpected(&self, expected: &str) -> Box<Diagnostic> {
         let token = self.peek();
-        let found = match token.kind {
-            Kind::End => "the end of the file".to_owned(),
-            _ => format!("`{}`", self.word(token)),
+        let (span, found) = match (token.kind, token.place) {
+            (Kind::End, _) => (self.after_previous(), "the end of the file".to_owned()),
+            (_, Place::Inner) => (token.span, format!("`{}`", self.word(token))),
+            _ => (self.after_previous(), format!("`{}` on the next line", self.word(token))),
         };
-        Box::new(Diagnostic::error(token.span, format!("{expected}, found {found}")).label("here"))
+        Box::new(Diagnostic::error(span, format!("{expected}, found {found}")).label("here"))
+    }
+
+    fn after_previous(&self) -> Span {
+        match self.at {
+            0 => self.peek().span,
+            _ => Span::new(self.previous_end(), self.previous_end()),
+        }
     }
 
     /// Goes on to the next token that can start an item.
