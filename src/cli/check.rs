@@ -44,7 +44,7 @@ fn summary(name: &str, checked: &grammar::Checked) -> String {
 
 /// Prints the findings of one file; whether there was an error among them.
 fn print_findings(source: &Source) -> Result<bool, Failure> {
-    let checked = grammar::parse(&source.text).and_then(grammar::check);
+    let checked = grammar::read(&source.text);
     let findings = checked.map_or_else(|findings| findings, |checked| checked.warnings);
     for finding in &findings {
         output::json(&finding_json(source, finding))?;

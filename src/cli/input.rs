@@ -121,7 +121,7 @@ pub fn source(path: &Path) -> Result<Source, Failure> {
 
 /// A grammar without errors. Every finding is told.
 pub fn checked(source: &Source) -> Result<Checked, Failure> {
-    let checked = grammar::parse(&source.text).and_then(grammar::check);
+    let checked = grammar::read(&source.text);
     let findings = match &checked {
         Ok(checked) => &checked.warnings,
         Err(findings) => findings,
