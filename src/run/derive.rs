@@ -20,6 +20,9 @@ pub struct Placement<'g> {
     pub scope: Scope,
 }
 
+/// How far from the origin a scope may reach, in blocks: twice as far is still a coordinate.
+const FAR: i32 = 1 << 29;
+
 /// Takes each placement; a warning it gives back goes with those of the derivation.
 pub type Sink<'s, 'g> = dyn FnMut(Placement<'g>) -> Result<(), Kind> + 's;
 
@@ -185,7 +188,11 @@ impl<'g> Derivation<'_, '_, 'g> {
 
     /// Hands a primitive on. A door without room is a warning: the rest of the building still stands.
     fn primitive(&mut self, task: &Task<'g>, name: &'g Thing, material: Option<&'g Thing>) -> Step {
-        match (self.sink)(Placement { name, material, scope: task.scope }) {
+        let scope = self.inside(task)?;
+        if scope.is_empty() {
+            return Ok(());
+        }
+        match (self.sink)(Placement { name, material, scope }) {
             Err(kind @ Kind::NoRoomForDoor) => {
                 self.warn(task.node, kind);
                 Ok(())
@@ -194,17 +201,27 @@ impl<'g> Derivation<'_, '_, 'g> {
         }
     }
 
-    fn only(&mut self, task: &Task<'g>, scope: Scope) -> Step {
-        let bounds = scope.bounds.intersect(&self.plot);
-        if bounds != scope.bounds && !scope.is_empty() {
+    /// The part of a primitive's scope that lies inside the start scope. What leaves it is told only here:
+    /// `T` may move a scope out that `S` then makes small enough.
+    fn inside(&mut self, task: &Task<'g>) -> Result<Scope, Kind> {
+        let bounds = task.scope.bounds.intersect(&self.plot);
+        if bounds != task.scope.bounds {
             match self.options.overrun {
                 Overrun::Refuse => return Err(Kind::OutsidePlot),
                 Overrun::Clip => self.warn(task.node, Kind::OutsidePlot),
             }
         }
+        Ok(Scope { bounds, ..task.scope })
+    }
+
+    /// Runs the only child in `scope`.
+    fn only(&mut self, task: &Task<'g>, scope: Scope) -> Step {
+        if scope.bounds.min.min_element() < -FAR || scope.bounds.max.max_element() > FAR {
+            return Err(Kind::OutsidePlot);
+        }
         let graph = self.graph;
         for (_, child) in graph.children(task.node) {
-            self.push(task.child(0, child, Scope { bounds, ..scope }));
+            self.push(task.child(0, child, scope));
         }
         Ok(())
     }
@@ -259,6 +276,8 @@ impl<'g> Derivation<'_, '_, 'g> {
         if count > self.options.limits.steps as f64 {
             return Err(Kind::TooManySteps(self.options.limits.steps));
         }
+        // Shares of no length are work as well.
+        self.steps += (count - f64::from(total)).max(0.0) as u64;
         let first = self.stack.len();
         for (_, child) in graph.children(task.node) {
             for (number, (low, high)) in
@@ -279,7 +298,7 @@ impl<'g> Derivation<'_, '_, 'g> {
         for (axis, size) in Axis::ALL.into_iter().zip(sizes) {
             let (Length::Absolute(size) | Length::Floating(size)) =
                 length(size, task.scope.len(axis), &mut env)?;
-            lengths[axis.index()] = (size + 0.5).floor().clamp(-1e9, 1e9) as i32;
+            lengths[axis.index()] = (size + 0.5).floor().clamp(-f64::from(FAR), f64::from(FAR)) as i32;
         }
         Ok(lengths)
     }

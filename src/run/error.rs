@@ -97,7 +97,10 @@ impl fmt::Display for Kind {
             Kind::Step { what, value } => write!(f, "the {what} of a repeat is {value}"),
             Kind::Angle(angle) => write!(f, "{angle} is not a multiple of a quarter turn"),
             Kind::NotVertical { up } => write!(f, "blocks only turn about the vertical, which is {up} here"),
-            Kind::Rhythm => write!(f, "the parts of a rhythm group sum to nothing, so that it never ends"),
+            Kind::Rhythm => write!(
+                f,
+                "the parts of a rhythm group are too thin to fill the scope: they sum to almost nothing"
+            ),
             Kind::OutsidePlot => write!(f, "a scope leaves the start scope"),
             Kind::TooDeep(limit) => write!(f, "rules call one another more than {limit} deep"),
             Kind::TooManySteps(limit) => write!(f, "the derivation takes more than {limit} steps"),

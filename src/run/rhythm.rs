@@ -3,6 +3,9 @@ use crate::graph::Group;
 use crate::space::Length;
 use std::ops::Range;
 
+/// How many parts may share a block. Only every so many of them get one, but their rhythm is kept.
+const THIN: usize = 16;
+
 /// Slack in counting how often a rhythm fits, against the noise of sums.
 const NOISE: f64 = 1e-6;
 
@@ -13,7 +16,7 @@ const NOISE: f64 = 1e-6;
 /// set aside first, floating ones at their sizes in blocks; several groups share the rest.
 pub fn written_out(parts: &[Length], groups: &[Group], total: i32) -> Result<Vec<usize>, Kind> {
     let mut out = Vec::new();
-    let rhythm = Rhythm { parts, groups, most: 2 * total.max(0) as usize + 1 };
+    let rhythm = Rhythm { parts, groups, most: THIN * (total.max(0) as usize + 1) + parts.len() };
     rhythm.write(0..parts.len(), 0, f64::from(total), &mut out)?;
     Ok(out)
 }
@@ -21,7 +24,7 @@ pub fn written_out(parts: &[Length], groups: &[Group], total: i32) -> Result<Vec
 struct Rhythm<'a> {
     parts: &'a [Length],
     groups: &'a [Group],
-    /// No more parts than this can hold a block; the rest are of length zero.
+    /// More parts than this are a slip.
     most: usize,
 }
 
@@ -37,7 +40,7 @@ impl Rhythm<'_> {
             let count = self.count(group, share)?;
             for _ in 0..count {
                 self.write(group.clone(), number + 1, share / count as f64, out)?;
-                if out.len() > self.most + self.parts.len() {
+                if out.len() > self.most {
                     return Err(Kind::Rhythm);
                 }
             }
