@@ -1,0 +1,215 @@
+//! Grammars that pass the checks: every label has rules, every name a meaning, every call its arguments.
+
+use proptest::collection::vec;
+use proptest::option::of;
+use proptest::prelude::*;
+use vox::grammar::ast::*;
+use vox::grammar::{Severity, check};
+use vox::space::{Axis, Up};
+
+/// What the parameters of a label are for: its calls know what to hand over.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Type {
+    Number,
+    Axis,
+    Thing,
+}
+
+const TYPES: [Type; 3] = [Type::Number, Type::Axis, Type::Thing];
+
+/// The types of each label's parameters.
+type Labels = Vec<Vec<Type>>;
+
+/// What the names of one rule mean.
+#[derive(Clone)]
+struct Scope {
+    labels: Labels,
+    params: Vec<Type>,
+    up: Up,
+}
+
+/// Grammars that pass, with rings of rules, parameters, conditions and every operation.
+pub fn grammars() -> impl Strategy<Value = Grammar> {
+    let types = vec((0..TYPES.len()).prop_map(|at| TYPES[at]), 0..3);
+    let labels = vec(types, 1..5).prop_map(|mut labels| {
+        labels[0].clear();
+        labels
+    });
+    let up = prop_oneof![Just(Up::Y), Just(Up::Z)];
+    (labels, up).prop_flat_map(grammar).prop_filter("leads back to itself", |grammar| {
+        check(grammar.clone()).map_or_else(
+            |found| {
+                found
+                    .iter()
+                    .filter(|finding| finding.severity == Severity::Error)
+                    .any(|finding| !finding.message.ends_with("only leads back to itself"))
+            },
+            |_| true,
+        )
+    })
+}
+
+fn grammar((labels, up): (Labels, Up)) -> impl Strategy<Value = Grammar> {
+    let rules: Vec<_> = (0..labels.len())
+        .map(|at| {
+            let scope = Scope { labels: labels.clone(), params: labels[at].clone(), up };
+            vec(rule(at, scope), 1..3)
+        })
+        .collect();
+    let sizes = vec(start_size(), 0..3);
+    (constants(), sizes, rules).prop_map(move |(constants, sizes, rules)| Grammar {
+        preamble: Vec::new(),
+        up,
+        sizes,
+        constants,
+        rules: rules.concat(),
+    })
+}
+
+fn start_size() -> impl Strategy<Value = StartSize> {
+    ([1..9u32, 1..9, 1..9], of(1..4u32)).prop_map(|(size, weight)| StartSize {
+        comments: Vec::new(),
+        size: size.map(|length| Expr::number(length.into())),
+        weight: weight.map(|weight| Expr::number(weight.into())),
+        span: Default::default(),
+    })
+}
+
+/// One constant of each type, under names that a printer might want for itself.
+fn constants() -> impl Strategy<Value = Vec<Constant>> {
+    let named = |name: &'static str, value: BoxedStrategy<Expr>| {
+        value.prop_map(move |value| Constant { comments: Vec::new(), name: Ident::new(name), value })
+    };
+    let number = (0..9u32).prop_map(|number| Expr::number(number.into())).boxed();
+    // A constant named after a primitive says what that is made of.
+    let thing = proptest::sample::select(vec!["stone", "glass"]).prop_map(Expr::name).boxed();
+    (named("p0", number), named("rect", thing)).prop_map(|(number, thing)| vec![number, thing])
+}
+
+fn label(at: usize) -> Ident {
+    Ident::new(format!("label_{at}"))
+}
+
+fn param(at: usize) -> String {
+    format!("q{at}")
+}
+
+fn rule(at: usize, scope: Scope) -> impl Strategy<Value = Rule> {
+    let params: Vec<Ident> = (0..scope.params.len()).map(|at| Ident::new(param(at))).collect();
+    (of(number(&scope)), successor(scope.clone()), of(number(&scope))).prop_map(
+        move |(condition, successor, weight)| Rule {
+            comments: Vec::new(),
+            label: label(at),
+            params: params.clone(),
+            condition,
+            successor,
+            weight,
+        },
+    )
+}
+
+fn successor(scope: Scope) -> BoxedStrategy<Successor> {
+    let primitive = (thing(&scope), of(thing(&scope)));
+    let leaf = prop_oneof![
+        1 => Just(Op::Nil),
+        3 => primitive.prop_map(|(name, material)| Op::Primitive { name, material }),
+        3 => call(&scope),
+    ];
+    let branch = move |inner: BoxedStrategy<Successor>| {
+        let body = || inner.clone().prop_map(Box::new);
+        let (axis, number) = (|| axis(&scope), || number(&scope));
+        let sizes = || [fixed(number()), fixed(number()), fixed(number())];
+        let up = Expr::name(scope.up.to_string());
+        prop_oneof![
+            (axis(), items(number(), inner.clone())).prop_map(|(axis, items)| Op::Split { axis, items }),
+            (axis(), number(), body()).prop_map(|(axis, size, body)| Op::Repeat { axis, size, body }),
+            (axis(), number(), body()).prop_map(|(axis, count, body)| Op::RepeatN { axis, count, body }),
+            (sizes(), body()).prop_map(|(delta, body)| Op::Translate { delta, body }),
+            (sizes(), body()).prop_map(|(size, body)| Op::Resize { size, body }),
+            (Just(up), number(), body()).prop_map(|(axis, angle, body)| Op::Rotate { axis, angle, body }),
+            vec(((0..8usize).prop_map(|at| Face::NAMES[at].1), inner.clone()), 1..4)
+                .prop_map(|parts| Op::Comp { parts }),
+        ]
+        .prop_map(Successor::new)
+    };
+    leaf.prop_map(Successor::new).prop_recursive(3, 12, 3, branch).boxed()
+}
+
+fn call(scope: &Scope) -> impl Strategy<Value = Op> + use<> {
+    let scope = scope.clone();
+    (0..scope.labels.len()).prop_flat_map(move |at| {
+        let args: Vec<_> = scope.labels[at].iter().map(|of| of_type(*of, &scope)).collect();
+        args.prop_map(move |args| Op::Call { label: label(at), args })
+    })
+}
+
+fn items(number: BoxedStrategy<Expr>, body: BoxedStrategy<Successor>) -> impl Strategy<Value = Vec<Item>> {
+    let kind = prop_oneof![Just(SizeKind::Absolute), Just(SizeKind::Floating), Just(SizeKind::Relative)];
+    let part =
+        (kind, number, body).prop_map(|(kind, value, body)| Item::Part { size: Size { kind, value }, body });
+    let item = part.prop_recursive(2, 6, 3, |inner| {
+        vec(inner, 1..4).prop_map(|items| Item::Group { items, span: Default::default() })
+    });
+    vec(item, 1..4)
+}
+
+/// A length for `T` and `S`, where nothing floats.
+fn fixed(number: BoxedStrategy<Expr>) -> impl Strategy<Value = Size> {
+    let kind = prop_oneof![Just(SizeKind::Absolute), Just(SizeKind::Relative)];
+    (kind, number).prop_map(|(kind, value)| Size { kind, value })
+}
+
+fn of_type(of: Type, scope: &Scope) -> BoxedStrategy<Expr> {
+    match of {
+        Type::Number => number(scope),
+        Type::Axis => axis(scope),
+        Type::Thing => thing(scope),
+    }
+}
+
+fn params_of(of: Type, scope: &Scope) -> Vec<Expr> {
+    let typed = scope.params.iter().enumerate().filter(move |(_, known)| **known == of);
+    typed.map(|(at, _)| Expr::name(param(at))).collect()
+}
+
+fn axis(scope: &Scope) -> BoxedStrategy<Expr> {
+    let mut known = params_of(Type::Axis, scope);
+    known.extend(Axis::ALL.map(|axis| Expr::name(axis.to_string())));
+    proptest::sample::select(known).boxed()
+}
+
+fn thing(scope: &Scope) -> BoxedStrategy<Expr> {
+    let mut known = params_of(Type::Thing, scope);
+    known.extend(["stone", "glass", "rect", "gable", "window2"].map(Expr::name));
+    known.push(Expr::new(ExprKind::Block("oak_stairs[facing=east]".to_owned())));
+    proptest::sample::select(known).boxed()
+}
+
+fn number(scope: &Scope) -> BoxedStrategy<Expr> {
+    let mut known = params_of(Type::Number, scope);
+    known.extend(Axis::ALL.map(|axis| Expr::new(ExprKind::ScopeSize(axis))));
+    known.extend(["p0", "pi", "true"].map(Expr::name));
+    known.extend((0..6).map(|number| Expr::number(f64::from(number) / 2.0)));
+    let leaf = proptest::sample::select(known);
+    let branch = |inner: BoxedStrategy<Expr>| {
+        let boxed = || inner.clone().prop_map(Box::new);
+        let unary = prop_oneof![Just(UnaryOp::Negate), Just(UnaryOp::Not)];
+        prop_oneof![
+            (unary, boxed()).prop_map(|(op, operand)| ExprKind::Unary(op, operand)),
+            (0..BinaryOp::ALL.len(), boxed(), boxed()).prop_map(|(op, left, right)| ExprKind::Binary(
+                BinaryOp::ALL[op],
+                left,
+                right
+            )),
+            (0..Function::ALL.len(), vec(inner.clone(), 3)).prop_map(|(function, mut args)| {
+                let function = Function::ALL[function];
+                while function.takes(args.len()).is_err() {
+                    args.pop();
+                }
+                ExprKind::Call(function, args)
+            }),
+        ]
+        .prop_map(Expr::new)
+    };
+    leaf.prop_recursive(2, 6, 3, branch).boxed()
+}
