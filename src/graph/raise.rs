@@ -63,8 +63,8 @@ impl<'g> Raising<'g> {
     fn rules(&mut self, node: NodeIndex, arity: usize) -> Vec<Rule> {
         let label = self.label(node, arity);
         let known = self.graph.name(node);
-        let names = known.filter(|name| name.params.len() == arity).map(|name| name.params.clone());
-        let params = names.unwrap_or_else(|| (0..arity).map(|at| format!("p{at}")).collect());
+        let names = known.map(|name| name.params.clone()).filter(|names| names.len() == arity);
+        let params = self.params(names.unwrap_or_default(), arity);
         let mut comments = known.map(|name| name.comments.clone()).unwrap_or_default();
         let idents: Vec<Ident> = params.iter().map(Ident::new).collect();
         let mut rule = |condition, successor, weight| Rule {
@@ -91,6 +91,15 @@ impl<'g> Raising<'g> {
                 rule(condition, self.successor(child, &params), weight)
             })
             .collect()
+    }
+
+    /// Names for parameters: their own, unless a constant has them, which they would hide.
+    fn params(&self, own: Vec<String>, arity: usize) -> Vec<String> {
+        let is_constant = |name: &String| self.graph.constants.iter().any(|(known, _)| known == name);
+        let fresh = (0..).map(|at| format!("p{at}")).filter(|name| !is_constant(name) && !own.contains(name));
+        let mut fresh = fresh.take(arity);
+        let mut own = own.iter().map(|name| Some(name.clone()).filter(|name| !is_constant(name)));
+        (0..arity).filter_map(|_| own.next().flatten().or_else(|| fresh.next())).collect()
     }
 
     /// A child: its label if it has rules of its own, else its operation.

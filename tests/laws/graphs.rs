@@ -151,3 +151,10 @@ fn nested_rhythms_come_back() {
         assert!(graph_of(raised.clone()) == graph, "{items}: {raised}");
     }
 }
+
+#[test]
+fn parameters_do_not_hide_constants() {
+    let graph = graph("m = glass\na --> b(stone)\nb(m) --> split(x){ ~1 : I(m) | ~1 : c }\nc --> I(m)");
+    let raised = raise(&graph);
+    assert!(graph_of(raised.clone()) == graph, "{raised}");
+}
