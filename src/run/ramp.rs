@@ -27,6 +27,18 @@ pub enum Way {
     Towards,
 }
 
+impl Way {
+    /// The step along the plan's two directions.
+    pub fn step(self) -> [i32; 2] {
+        match self {
+            Way::Right => [1, 0],
+            Way::Left => [-1, 0],
+            Way::Away => [0, 1],
+            Way::Towards => [0, -1],
+        }
+    }
+}
+
 /// The surface over one cell of a slope: a height in blocks, and where it rises to.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rise {

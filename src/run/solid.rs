@@ -75,10 +75,18 @@ fn column(slope: Slope, family: &Family, at: [i32; 2], plan: &Plan) -> Column {
     let (Surface::Plain(rise) | Surface::Hip(rise, _) | Surface::Valley(rise, _)) = surface;
     let has_stairs = family.stairs.is_some();
     match surface {
-        _ if rise.pitch < STAIR_PITCH || !has_stairs => flat(rise, family),
+        _ if flattest(surface) < STAIR_PITCH || !has_stairs => flat(rise, family),
         Surface::Plain(rise) => plain(rise, slope, at, plan),
         Surface::Hip(a, b) => corner(a, b, Cap::OuterCorner, rise),
         Surface::Valley(a, b) => corner(a, b, Cap::InnerCorner, rise),
+    }
+}
+
+/// The lower pitch of the slopes that meet in a surface: on an edge between stairs and slabs lie slabs.
+fn flattest(surface: Surface) -> f64 {
+    match surface {
+        Surface::Plain(rise) => rise.pitch,
+        Surface::Hip(a, b) | Surface::Valley(a, b) => a.pitch.min(b.pitch),
     }
 }
 
@@ -99,8 +107,23 @@ fn flat(rise: Rise, family: &Family) -> Column {
 fn plain(rise: Rise, slope: Slope, at: [i32; 2], plan: &Plan) -> Column {
     let full = top(rise.height);
     match rise.uphill {
+        // Below a pitch of 1 some steps are two blocks deep: the upper block of a step is level.
+        Some(uphill) if level_below(slope, at, uphill, plan) == Some(full) => {
+            Column { full: full + 1, cap: Cap::None }
+        }
         Some(uphill) => Column { full, cap: Cap::Stairs { uphill } },
         None => ridge(full, slope, at, plan),
+    }
+}
+
+/// The topmost block of the column downhill of a cell, where it rises the same way.
+fn level_below(slope: Slope, [u, v]: [i32; 2], uphill: Way, plan: &Plan) -> Option<i32> {
+    let [du, dv] = uphill.step();
+    let below = [u - du, v - dv];
+    let is_inside = (0..2).all(|axis| (0..plan.lengths[axis]).contains(&below[axis]));
+    match slope.surface(below, plan.lengths, plan.height) {
+        Surface::Plain(rise) if is_inside && rise.uphill == Some(uphill) => Some(top(rise.height)),
+        _ => None,
     }
 }
 
@@ -159,4 +182,57 @@ fn facing(way: Way, frame: Frame) -> Facing {
     };
     let found = Facing::HORIZONTAL.into_iter().find(|facing| facing.step() == direction);
     found.unwrap_or(Facing::North)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::{Turn, Up};
+
+    /// The tops of a solid's columns, row by row from the front: the height of the full blocks, and then
+    /// `_` for a slab, `>` and its like for stairs by the way they rise, `o` and `i` for corners.
+    fn tops(slope: Slope, size: [i32; 3]) -> Vec<String> {
+        let family = Family::of("oak").expect("oak is a material");
+        let frame = Frame { up: Up::Y, turn: Turn::NONE };
+        let scope = Scope::start(Cell::from(size), frame);
+        let plan = Plan::of(&scope);
+        let top = |u, v| {
+            let column = column(slope, &family, [u, v], &plan);
+            let cap = match column.cap {
+                Cap::None => "",
+                Cap::Slab => "_",
+                Cap::Stairs { uphill: Way::Right } => ">",
+                Cap::Stairs { uphill: Way::Left } => "<",
+                Cap::Stairs { uphill: Way::Away } => "^",
+                Cap::Stairs { uphill: Way::Towards } => "v",
+                Cap::OuterCorner(_) => "o",
+                Cap::InnerCorner(_) => "i",
+            };
+            format!("{}{cap}", column.full)
+        };
+        let row = |v| (0..size[0]).map(|u| top(u, v)).collect::<Vec<_>>().join(" ");
+        (0..size[2]).map(row).collect()
+    }
+
+    #[test]
+    fn a_gable_of_pitch_one_is_laid_in_stairs() {
+        assert_eq!(tops(Slope::Gable, [1, 2, 4]), ["0^", "1^", "1v", "0v"]);
+        assert_eq!(tops(Slope::Gable, [1, 3, 5]), ["0^", "1^", "2_", "1v", "0v"]);
+    }
+
+    #[test]
+    fn steps_of_two_blocks_are_level_at_the_back() {
+        assert_eq!(tops(Slope::RightAngleTriangle, [5, 4, 1]), ["3< 2< 2 1< 0<"]);
+    }
+
+    #[test]
+    fn a_corner_bends_on_its_diagonal() {
+        assert_eq!(tops(Slope::Corner, [3, 3, 3]), ["0o 0^ 0^", "0> 1o 1^", "0> 1> 2o"]);
+        assert_eq!(tops(Slope::Trough, [3, 3, 3]), ["0i 1> 2>", "1^ 1i 2>", "2^ 2^ 2i"]);
+    }
+
+    #[test]
+    fn a_hip_of_one_pitch_goes_all_around() {
+        assert_eq!(tops(Slope::Hip, [4, 2, 4]), ["0o 0^ 0^ 0o", "0> 1o 1o 0<", "0> 1o 1o 0<", "0o 0v 0v 0o"]);
+    }
 }
