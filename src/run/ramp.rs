@@ -27,18 +27,6 @@ pub enum Way {
     Towards,
 }
 
-impl Way {
-    /// The step along the plan's two directions.
-    pub fn step(self) -> [i32; 2] {
-        match self {
-            Way::Right => [1, 0],
-            Way::Left => [-1, 0],
-            Way::Away => [0, 1],
-            Way::Towards => [0, -1],
-        }
-    }
-}
-
 /// The surface over one cell of a slope: a height in blocks, and where it rises to.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rise {
@@ -49,7 +37,25 @@ pub struct Rise {
     pub uphill: Option<Way>,
 }
 
-/// The surface over one cell of a plan.
+impl Rise {
+    /// The index of the topmost block that the surface touches.
+    pub fn top(self) -> i32 {
+        top(self.height)
+    }
+
+    /// Whether the block downhill has the same top. Below a pitch of 1 some steps are two blocks deep:
+    /// the upper block of such a step is level.
+    pub fn is_level(self) -> bool {
+        self.height > self.pitch && top(self.height - self.pitch) == self.top()
+    }
+}
+
+fn top(height: f64) -> i32 {
+    ((height - 1e-6).ceil() as i32 - 1).max(0)
+}
+
+/// The surface over one cell of a plan. Two slopes meet where their topmost blocks are level; the first of
+/// the two is the surface.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Surface {
     Plain(Rise),
@@ -99,21 +105,12 @@ fn folded(at: i32, length: i32, run: i32, high: i32, [up, down]: [Way; 2]) -> Ri
     }
 }
 
-/// Heights nearer than this are one height.
-const NOISE: f64 = 1e-9;
-
 fn lower(a: Rise, b: Rise) -> Surface {
-    match a.height - b.height {
-        gap if gap < -NOISE => Surface::Plain(a),
-        gap if gap > NOISE => Surface::Plain(b),
-        _ => Surface::Hip(a, b),
-    }
+    let (low, high) = if a.height <= b.height { (a, b) } else { (b, a) };
+    if low.top() == high.top() { Surface::Hip(low, high) } else { Surface::Plain(low) }
 }
 
 fn higher(a: Rise, b: Rise) -> Surface {
-    match a.height - b.height {
-        gap if gap > NOISE => Surface::Plain(a),
-        gap if gap < -NOISE => Surface::Plain(b),
-        _ => Surface::Valley(a, b),
-    }
+    let (low, high) = if a.height <= b.height { (a, b) } else { (b, a) };
+    if low.top() == high.top() { Surface::Valley(high, low) } else { Surface::Plain(high) }
 }

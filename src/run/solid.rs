@@ -75,24 +75,15 @@ fn column(slope: Slope, family: &Family, at: [i32; 2], plan: &Plan) -> Column {
     let (Surface::Plain(rise) | Surface::Hip(rise, _) | Surface::Valley(rise, _)) = surface;
     let has_stairs = family.stairs.is_some();
     match surface {
-        _ if flattest(surface) < STAIR_PITCH || !has_stairs => flat(rise, family),
+        _ if rise.pitch < STAIR_PITCH || !has_stairs => flat(rise, family),
+        // Stairs do not bend into a slope of slabs.
+        Surface::Hip(_, other) | Surface::Valley(_, other) if other.pitch < STAIR_PITCH => {
+            plain(rise, slope, at, plan)
+        }
         Surface::Plain(rise) => plain(rise, slope, at, plan),
-        Surface::Hip(a, b) => corner(a, b, Cap::OuterCorner, rise),
-        Surface::Valley(a, b) => corner(a, b, Cap::InnerCorner, rise),
+        Surface::Hip(a, b) => hip(a, b),
+        Surface::Valley(a, b) => valley(a, b),
     }
-}
-
-/// The lower pitch of the slopes that meet in a surface: on an edge between stairs and slabs lie slabs.
-fn flattest(surface: Surface) -> f64 {
-    match surface {
-        Surface::Plain(rise) => rise.pitch,
-        Surface::Hip(a, b) | Surface::Valley(a, b) => a.pitch.min(b.pitch),
-    }
-}
-
-/// The index of the topmost block of a column whose surface lies at `height`.
-fn top(height: f64) -> i32 {
-    ((height - 1e-6).ceil() as i32 - 1).max(0)
 }
 
 /// A column of a flat slope: rounded to whole blocks, or to half ones where there are slabs.
@@ -105,26 +96,15 @@ fn flat(rise: Rise, family: &Family) -> Column {
 }
 
 fn plain(rise: Rise, slope: Slope, at: [i32; 2], plan: &Plan) -> Column {
-    let full = top(rise.height);
     match rise.uphill {
-        // Below a pitch of 1 some steps are two blocks deep: the upper block of a step is level.
-        Some(uphill) if level_below(slope, at, uphill, plan) == Some(full) => {
-            Column { full: full + 1, cap: Cap::None }
-        }
-        Some(uphill) => Column { full, cap: Cap::Stairs { uphill } },
-        None => ridge(full, slope, at, plan),
+        _ if rise.is_level() => level(rise),
+        Some(uphill) => Column { full: rise.top(), cap: Cap::Stairs { uphill } },
+        None => ridge(rise.top(), slope, at, plan),
     }
 }
 
-/// The topmost block of the column downhill of a cell, where it rises the same way.
-fn level_below(slope: Slope, [u, v]: [i32; 2], uphill: Way, plan: &Plan) -> Option<i32> {
-    let [du, dv] = uphill.step();
-    let below = [u - du, v - dv];
-    let is_inside = (0..2).all(|axis| (0..plan.lengths[axis]).contains(&below[axis]));
-    match slope.surface(below, plan.lengths, plan.height) {
-        Surface::Plain(rise) if is_inside && rise.uphill == Some(uphill) => Some(top(rise.height)),
-        _ => None,
-    }
+fn level(rise: Rise) -> Column {
+    Column { full: rise.top() + 1, cap: Cap::None }
 }
 
 /// The ridge between two slopes: a slab where it rises above both, a full block where it is level with them.
@@ -136,7 +116,7 @@ fn ridge(full: i32, slope: Slope, [u, v]: [i32; 2], plan: &Plan) -> Column {
         .filter(|[u, v]| (0..lu).contains(u) && (0..lv).contains(v))
         .filter_map(|at| match slope.surface(at, plan.lengths, plan.height) {
             Surface::Plain(Rise { uphill: None, .. }) => None,
-            Surface::Plain(rise) | Surface::Hip(rise, _) | Surface::Valley(rise, _) => Some(top(rise.height)),
+            Surface::Plain(rise) | Surface::Hip(rise, _) | Surface::Valley(rise, _) => Some(rise.top()),
         })
         .max();
     match highest {
@@ -145,14 +125,26 @@ fn ridge(full: i32, slope: Slope, [u, v]: [i32; 2], plan: &Plan) -> Column {
     }
 }
 
-fn corner(a: Rise, b: Rise, bend: fn([Way; 2]) -> Cap, rise: Rise) -> Column {
-    let full = top(rise.height);
-    let cap = match (a.uphill, b.uphill) {
-        (Some(first), Some(second)) => bend([first, second]),
-        (Some(uphill), None) | (None, Some(uphill)) => Cap::Stairs { uphill },
-        (None, None) => Cap::Slab,
+fn hip(a: Rise, b: Rise) -> Column {
+    match (a.is_level(), b.is_level()) {
+        (true, true) => level(a),
+        (true, false) => bend([b.uphill, None], Cap::OuterCorner, a),
+        (false, true) => bend([a.uphill, None], Cap::OuterCorner, a),
+        (false, false) => bend([a.uphill, b.uphill], Cap::OuterCorner, a),
+    }
+}
+
+fn valley(a: Rise, b: Rise) -> Column {
+    if a.is_level() || b.is_level() { level(a) } else { bend([a.uphill, b.uphill], Cap::InnerCorner, a) }
+}
+
+fn bend(uphill: [Option<Way>; 2], corner: fn([Way; 2]) -> Cap, rise: Rise) -> Column {
+    let cap = match uphill {
+        [Some(first), Some(second)] => corner([first, second]),
+        [Some(uphill), None] | [None, Some(uphill)] => Cap::Stairs { uphill },
+        [None, None] => Cap::Slab,
     };
-    Column { full, cap }
+    Column { full: rise.top(), cap }
 }
 
 fn cap_block(cap: Cap, family: &Family, frame: Frame) -> Option<BlockState> {
@@ -229,6 +221,14 @@ mod tests {
     fn a_corner_bends_on_its_diagonal() {
         assert_eq!(tops(Slope::Corner, [3, 3, 3]), ["0o 0^ 0^", "0> 1o 1^", "0> 1> 2o"]);
         assert_eq!(tops(Slope::Trough, [3, 3, 3]), ["0i 1> 2>", "1^ 1i 2>", "2^ 2^ 2i"]);
+    }
+
+    #[test]
+    fn a_corner_of_two_pitches_bends_where_its_steps_are_level() {
+        assert_eq!(
+            tops(Slope::Corner, [5, 4, 4]),
+            ["0o 0^ 0^ 0^ 0^", "0> 1o 1^ 1^ 1^", "0> 1> 2 2o 2^", "0> 1> 2 2> 3o"]
+        );
     }
 
     #[test]
