@@ -69,8 +69,17 @@ fn draw_edges(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params:
         }
     }
     for (child, texts) in drawn {
-        let label = joined(&texts);
-        out.edge(id(node), id(child)).attributes().set("label", &label.replace('"', "\\\""), true);
+        let label = joined(&texts).replace('"', "\\\"");
+        let mut edge = out.edge(id(node), id(child)).attributes();
+        edge.set("label", &label, true);
+        // Empty space is everywhere; its edges should not hide the others.
+        if *graph.op(child) == Op::Nil {
+            edge.set("color", "#d5d5d5", true).set("fontcolor", "#999999", true).set(
+                "arrowhead",
+                "none",
+                false,
+            );
+        }
     }
 }
 
@@ -102,7 +111,10 @@ fn op_text(graph: &OpGraph, op: &Op, params: &[String]) -> String {
     };
     match op {
         Op::Primitive { name, material: None } => text(name),
-        Op::Primitive { name, material: Some(material) } => format!("{} of {}", text(name), text(material)),
+        Op::Primitive { name, material: Some(material) } => match material {
+            Expr::Constant(at) => format!("{} of {}", text(name), text(&graph.constants[*at].1)),
+            material => format!("{} of {}", text(name), text(material)),
+        },
         Op::Nil => "nil".to_owned(),
         Op::Split { axis, .. } => format!("split {}", text(axis)),
         Op::Repeat { axis, size } => format!("repeat {} every {}", text(axis), text(size)),

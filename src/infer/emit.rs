@@ -5,26 +5,32 @@ use super::example::{Example, Terminal, Terminals};
 use super::exchange::Exchange;
 use super::fold::Piece;
 use super::law::Law;
-use super::naming;
+use super::naming::{self, Places};
 use crate::block::{self, BlockState};
 use crate::grammar::ast::BinaryOp;
 use crate::grammar::is_primitive;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, OpGraph, Size, StartSize, Thing};
-use crate::space::{Axis, Cell, Up};
+use crate::space::{Axis, Bounds, Cell, Up};
 
 /// The op graph of all kinds. Its root chooses between the examples that no rule could join.
 pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, examples: &[Example]) -> OpGraph {
-    let mut emitter = Emitter { builder: Builder::default(), constants: Vec::new(), nodes: Vec::new() };
+    let mut emitter = Emitter {
+        builder: Builder::default(),
+        constants: Vec::new(),
+        nodes: Vec::new(),
+        places: Places::new(),
+    };
     for kind in &kinds.list {
         let node = emitter.kind(kind, terminals);
         emitter.nodes.push(node);
     }
     let root = emitter.root(&slab_nodes(kinds, exchanges, &emitter.nodes), exchanges, examples);
-    let Emitter { builder, constants, nodes } = emitter;
+    let Emitter { builder, constants, nodes, places } = emitter;
+    let places = naming::places(kinds, &nodes, places);
     let (mut graph, kept) = builder.finish(root);
     graph.constants = constants;
     graph.sizes = sizes(examples);
-    naming::name(&mut graph, kinds, &nodes, &kept, examples);
+    naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
     graph
 }
 
@@ -33,6 +39,8 @@ struct Emitter {
     constants: Vec<(String, Expr)>,
     /// The node of each kind.
     nodes: Vec<NodeIndex>,
+    /// Where the nodes that choose between slabs were first seen.
+    places: Places,
 }
 
 impl Emitter {
@@ -121,7 +129,8 @@ impl Emitter {
             .collect();
         let mut seen: Vec<(NodeIndex, Vec<Cell>, f64)> = Vec::new();
         for group in exchanges {
-            let node = self.from_slab(group, slabs, 0, &group.members);
+            let bounds = examples[group.members[0]].bounds();
+            let node = self.from_slab(group, slabs, bounds, 0, &group.members);
             let weight = group.members.len() as f64;
             match seen.iter_mut().find(|(known, ..)| *known == node) {
                 Some((_, sizes, sum)) => {
@@ -147,6 +156,7 @@ impl Emitter {
         &mut self,
         group: &Exchange,
         slabs: &[Vec<NodeIndex>],
+        bounds: Bounds,
         slab: usize,
         members: &[usize],
     ) -> NodeIndex {
@@ -158,14 +168,19 @@ impl Emitter {
                 Some(plane) => {
                     let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at);
                     let length = Size::absolute(Expr::number(f64::from(plane.at - low)));
-                    let rest = self.from_slab(group, slabs, slab + 1, &group.exchangeable(plane, *member));
+                    let past = group.exchangeable(plane, *member);
+                    let rest = self.from_slab(group, slabs, bounds, slab + 1, &past);
                     let parts = vec![(length, node), (Size::floating(1.0), rest)];
                     self.builder.split(Expr::Axis(group.axis), parts)
                 }
             };
             alternatives.push((1.0, node));
         }
-        self.builder.choose(alternatives)
+        let node = self.builder.choose(alternatives);
+        let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at) + group.axis.of(bounds.min);
+        let rest = bounds.slab(group.axis, low, group.axis.of(bounds.max));
+        self.places.entry(node).or_insert((members[0], rest));
+        node
     }
 }
 
@@ -217,12 +232,18 @@ fn sizes(examples: &[Example]) -> Vec<StartSize> {
     seen.into_iter().map(start).collect()
 }
 
-/// The expression for a block: its bare name where it is a block of the game in its default state.
+/// The expression for a block. Of blocks of the game only the properties that differ from the defaults are
+/// written: a run fills in the others.
 fn block_expr(state: &BlockState) -> Expr {
-    match block::known(state.name()) {
-        Some(known) if known.default_state() == *state => Expr::name(state.short_name()),
-        Some(_) if state.properties().len() > 0 => Expr::Thing(Thing::Block(state.short())),
-        _ => Expr::Thing(Thing::Block(state.to_string())),
+    let Some(known) = block::known(state.name()) else {
+        return Expr::Thing(Thing::Block(state.to_string()));
+    };
+    let default = known.default_state();
+    let differing = state.properties().filter(|(key, value)| default.get(key) != Some(value));
+    let text: Vec<String> = differing.map(|(key, value)| format!("{key}={value}")).collect();
+    match text.is_empty() {
+        true => Expr::name(state.short_name()),
+        false => Expr::Thing(Thing::Block(format!("{}[{}]", state.short_name(), text.join(",")))),
     }
 }
 

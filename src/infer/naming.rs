@@ -7,39 +7,36 @@ use crate::graph::{NodeIndex, Op, OpGraph, Renumbered, RuleName};
 use crate::space::{Axis, Bounds, Cell};
 use std::collections::BTreeMap;
 
-/// The first place where each node was seen.
-type Places = BTreeMap<NodeIndex, (usize, Bounds)>;
+/// The first place where each node was seen: the example, and the box in it.
+pub type Places = BTreeMap<NodeIndex, (usize, Bounds)>;
 
 /// Operations that take more than this many words to write get a rule of their own.
 const LONG: usize = 8;
 
 /// Gives names to the nodes that deserve a rule: the root, choices, what is shared, and what is long.
-pub fn name(
-    graph: &mut OpGraph,
-    kinds: &Kinds,
-    nodes: &[NodeIndex],
-    kept: &Renumbered,
-    examples: &[Example],
-) {
-    let places = places(kinds, nodes, kept);
+pub fn name(graph: &mut OpGraph, places: &Places, examples: &[Example]) {
     for node in named_nodes(graph) {
-        let label = match places.get(&node).filter(|_| node != graph.root()) {
-            Some((example, bounds)) => describe(&examples[*example], *bounds),
-            // Only choices between whole examples have no place of their own.
-            None => "house".to_owned(),
+        let label = match places.get(&node) {
+            Some((example, bounds)) if node != graph.root() => describe(&examples[*example], *bounds),
+            _ => "house".to_owned(),
         };
         graph.set_name(node, RuleName { label, ..RuleName::default() });
     }
 }
 
-fn places(kinds: &Kinds, nodes: &[NodeIndex], kept: &Renumbered) -> Places {
-    let mut places = Places::new();
+/// The places of the nodes of all kinds of splits, beside those that are known.
+pub fn places(kinds: &Kinds, nodes: &[NodeIndex], mut places: Places) -> Places {
     for ((kind, node), seen) in kinds.list.iter().zip(nodes).zip(&kinds.places) {
-        if let (Kind::Split { .. }, Some(node), Some(first)) = (kind, kept.get(node), seen.first()) {
+        if let (Kind::Split { .. }, Some(first)) = (kind, seen.first()) {
             places.entry(*node).or_insert(*first);
         }
     }
     places
+}
+
+/// The places by the nodes' new numbers.
+pub fn renumbered(places: Places, kept: &Renumbered) -> Places {
+    places.into_iter().filter_map(|(node, place)| Some((*kept.get(&node)?, place))).collect()
 }
 
 fn named_nodes(graph: &OpGraph) -> Vec<NodeIndex> {
@@ -60,6 +57,10 @@ fn named_nodes(graph: &OpGraph) -> Vec<NodeIndex> {
 
 /// What a part of an example is called: what it is made of most, and how it stands.
 fn describe(example: &Example, bounds: Bounds) -> String {
+    if bounds == example.bounds() {
+        let [x, y, z] = bounds.size().to_array();
+        return format!("house_{x}x{y}x{z}");
+    }
     let (material, feature) = match example {
         Example::Blocks(grid) => {
             let mut volumes: BTreeMap<u16, u64> = BTreeMap::new();
