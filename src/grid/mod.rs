@@ -7,7 +7,7 @@ mod metadata;
 use crate::block::{BlockState, Palette, PaletteFull};
 use crate::nbt::Compound;
 use crate::space::{Bounds, Cell};
-use ndarray::{Array3, s};
+use ndarray::Array3;
 use std::collections::BTreeMap;
 
 pub use labelled::{LabelledBox, LabelledBoxes};
@@ -16,7 +16,7 @@ pub use metadata::{BiomeExtent, Biomes, Entity, Metadata};
 /// A box of blocks. Every cell holds a number of the palette; 0 is air.
 #[derive(Clone, Debug)]
 pub struct Grid {
-    /// Indexed `[y, z, x]`, so that memory runs in the order of schematic files.
+    /// Indexed `[y, z, x]` and in the standard layout, so that memory runs in the order of schematic files.
     cells: Array3<u16>,
     palette: Palette,
     /// Chests, signs and the like, by place, as `[x, y, z]`: as the game keeps them, with `id`
@@ -40,6 +40,7 @@ impl Grid {
     /// A grid of the given cells, indexed `[y, z, x]`; `None` where one is not a number of the palette.
     pub fn from_cells(cells: Array3<u16>, palette: Palette) -> Option<Grid> {
         let in_range = cells.iter().all(|&id| usize::from(id) < palette.states().len());
+        let cells = if cells.is_standard_layout() { cells } else { cells.as_standard_layout().into_owned() };
         in_range.then(|| Grid {
             cells,
             palette,
@@ -88,9 +89,17 @@ impl Grid {
 
     /// Fills `bounds`, which must be inside, with one block.
     pub fn fill(&mut self, bounds: Bounds, id: u16) {
+        let (_, depth, width) = self.cells.dim();
         let [x0, y0, z0] = index3(bounds.min);
         let [x1, y1, z1] = index3(bounds.max);
-        self.cells.slice_mut(s![y0..y1, z0..z1, x0..x1]).fill(id);
+        // Row by row on the bare memory: slicing the array costs more than filling the few cells of a leaf.
+        let cells = self.cells.as_slice_mut().expect("a grid's cells are in the standard layout");
+        for y in y0..y1 {
+            for z in z0..z1 {
+                let row = (y * depth + z) * width;
+                cells[row + x0..row + x1].fill(id);
+            }
+        }
     }
 
     /// Whether both hold the same block state in every cell, whatever their palettes' order.
