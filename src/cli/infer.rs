@@ -3,11 +3,12 @@ use super::input::{self, Reading};
 use super::output;
 use super::progress::Progress;
 use super::report;
-use crate::grammar::{check, parse};
+use crate::grammar::{Diagnostic, check, parse};
 use crate::graph::{OpGraph, dot, lower, raise};
 use crate::infer::{self, Derivable, Example, InferError, derivable};
 use crate::io::{Content, Scale};
 use serde_json::json;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Learn a grammar from example buildings
@@ -94,7 +95,7 @@ fn preamble(paths: &[PathBuf]) -> Vec<String> {
 
 /// What the text says is what is proved, not what it was printed from.
 fn read_back(text: &str) -> Result<OpGraph, Failure> {
-    let told = |findings: Vec<crate::grammar::Diagnostic>| {
+    let told = |findings: Vec<Diagnostic>| {
         let first = findings.first().map_or(String::new(), |finding| finding.message.clone());
         Failure::new(format!("the learnt grammar does not read back, which is a fault of vox: {first}"))
     };
@@ -117,9 +118,7 @@ fn prove(paths: &[PathBuf], reproduced: &[bool]) -> Result<(), Failure> {
 
 fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
     let grammar = raise(graph);
-    let labels: std::collections::BTreeSet<&str> =
-        grammar.rules.iter().map(|rule| rule.label.name.as_str()).collect();
-    let alternatives = graph.children(graph.root()).count();
+    let labels: BTreeSet<&str> = grammar.rules.iter().map(|rule| rule.label.name.as_str()).collect();
     if args.json {
         return output::json(&json!({
             "examples": examples,
@@ -129,7 +128,6 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
             "operations": graph.unified().len(),
         }));
     }
-    let _ = alternatives;
     report::note(&format!("{examples} of {examples} examples reproduced, by {} rules", grammar.rules.len()));
     Ok(())
 }

@@ -122,6 +122,7 @@ pub enum Op {
 
 /// One item of a split: a part, or a rhythm group that is repeated as often as it fits.
 #[derive(Clone, PartialEq, Debug)]
+#[expect(clippy::large_enum_variant, reason = "nearly every item is a part")]
 pub enum Item {
     Part { size: Size, body: Successor },
     Group { items: Vec<Item>, span: Span },

@@ -458,7 +458,9 @@ fn is_thing(name: &str) -> bool {
 }
 
 fn thing_hint(name: &str) -> String {
-    closest(name, PRIMITIVES.into_iter()).or_else(|| block::suggest(name)).map_or_else(
+    let materials = block::all().iter().filter_map(|known| known.name().strip_suffix("_stairs"));
+    let near = closest(name, PRIMITIVES.into_iter().chain(materials)).or_else(|| block::suggest(name));
+    near.map_or_else(
         || format!("say what it is made of, as in `{name} = stone`; blocks of mods carry their namespace"),
         |near| format!("did you mean `{near}`? Or say what it is made of, as in `{name} = stone`"),
     )

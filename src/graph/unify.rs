@@ -36,7 +36,7 @@ impl OpGraph {
         let mut classes = vec![0; self.len()];
         let mut count = 1;
         loop {
-            let mut table: FxHashMap<(&Op, Vec<(&Arg, u32)>), u32> = FxHashMap::default();
+            let mut table: FxHashMap<Signature<'_>, u32> = FxHashMap::default();
             let next: Vec<u32> = self
                 .nodes()
                 .map(|node| {
@@ -109,6 +109,9 @@ impl OpGraph {
         self.graph.edges_directed(node, Direction::Incoming).count()
     }
 }
+
+/// What tells nodes apart: the operation, and the edges with the classes of the children.
+type Signature<'g> = (&'g Op, Vec<(&'g Arg, u32)>);
 
 impl PartialEq for OpGraph {
     fn eq(&self, other: &OpGraph) -> bool {

@@ -130,7 +130,7 @@ impl Emitter {
         let mut seen: Vec<(NodeIndex, Vec<Cell>, f64)> = Vec::new();
         for group in exchanges {
             let bounds = examples[group.members[0]].bounds();
-            let node = self.from_slab(group, slabs, bounds, 0, &group.members);
+            let node = self.slabs_on(group, slabs, bounds, 0, &group.members);
             let weight = group.members.len() as f64;
             match seen.iter_mut().find(|(known, ..)| *known == node) {
                 Some((_, sizes, sum)) => {
@@ -151,8 +151,8 @@ impl Emitter {
         self.builder.node(Op::Choose, alternatives)
     }
 
-    /// What stands from slab `slab` on: that slab of any of `members`, and past it what can stand there.
-    fn from_slab(
+    /// Slab number `slab` of any of `members`, and past it what can stand there.
+    fn slabs_on(
         &mut self,
         group: &Exchange,
         slabs: &[Vec<NodeIndex>],
@@ -169,7 +169,7 @@ impl Emitter {
                     let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at);
                     let length = Size::absolute(Expr::number(f64::from(plane.at - low)));
                     let past = group.exchangeable(plane, *member);
-                    let rest = self.from_slab(group, slabs, bounds, slab + 1, &past);
+                    let rest = self.slabs_on(group, slabs, bounds, slab + 1, &past);
                     let parts = vec![(length, node), (Size::floating(1.0), rest)];
                     self.builder.split(Expr::Axis(group.axis), parts)
                 }

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 /// A building to learn from.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are few examples")]
 pub enum Example {
     /// Blocks without labels; their terminals are cuboids of one block state. Properties that a state leaves
     /// out are at their defaults.
