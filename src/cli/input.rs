@@ -144,7 +144,10 @@ pub fn library(graph: &OpGraph, grammar: &Path) -> Result<Library, Failure> {
     let folder = grammar.parent().unwrap_or(Path::new("."));
     let mut library = Library::new();
     for file in graph.files() {
-        library.insert(file.to_owned(), grid(&folder.join(file), &Reading::default())?);
+        let read = grid(&folder.join(file), &Reading::default());
+        let named =
+            |failure: Failure| failure.hint("the grammar names this file: it is looked for beside it");
+        library.insert(file.to_owned(), read.map_err(named)?);
     }
     Ok(library)
 }

@@ -343,10 +343,11 @@ impl<'g> Checker<'g> {
             Name::Number(_) => self.is_of(Expected::Number, expected, span, "a number"),
             Name::Thing if matches!(expected, Expected::Number | Expected::Axis) => {
                 let known = params.iter().chain(self.grammar.constants.iter().map(|c| &c.name));
-                let hint = closest(name, known.map(|ident| ident.name.as_str())).map_or_else(
-                    || format!("define it: `{name} = 3`"),
-                    |near| format!("did you mean `{near}`?"),
-                );
+                let hint = match closest(name, known.map(|ident| ident.name.as_str())) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None if expected == Expected::Axis => "the axes are x, y and z".to_owned(),
+                    None => format!("define it: `{name} = 3`"),
+                };
                 let message = format!("`{name}` is no parameter and no constant");
                 self.error(span, message, "not defined", Some(hint));
             }

@@ -11,6 +11,8 @@ pub enum Kind {
     Arrow,
     /// `==`, `<=` and the like, and single characters.
     Symbol(&'static str),
+    /// What has been told to have no meaning.
+    Unknown,
     End,
 }
 
@@ -102,16 +104,12 @@ pub fn lex(text: &str) -> Lexed {
                 (false, _) => Place::Inner,
             };
             is_line_empty = false;
-            match token(rest) {
-                Ok((kind, length)) => {
-                    lexed.tokens.push(Token { kind, span: Span::new(at, at + length), place });
-                    at += length;
-                }
-                Err((length, message)) => {
-                    lexed.errors.push(Diagnostic::error(Span::new(at, at + length), message));
-                    at += length;
-                }
-            }
+            let (kind, length) = token(rest).unwrap_or_else(|(length, message)| {
+                lexed.errors.push(Diagnostic::error(Span::new(at, at + length), message).label("here"));
+                (Kind::Unknown, length)
+            });
+            lexed.tokens.push(Token { kind, span: Span::new(at, at + length), place });
+            at += length;
         }
     }
     let span = Span::new(text.trim_end().len(), text.trim_end().len());

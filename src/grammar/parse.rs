@@ -189,6 +189,17 @@ impl<'t> Parser<'t> {
         Box::new(Diagnostic::error(span, format!("{expected}, found {found}")).label("here"))
     }
 
+    /// As [`Parser::unexpected`], with what to write instead.
+    fn unexpected_with(&self, expected: &str, hint: &str) -> Box<Diagnostic> {
+        Box::new(self.unexpected(expected).hint(hint))
+    }
+
+    /// Refuses what would overflow the stack.
+    fn too_much(&self, message: &str) -> Box<Diagnostic> {
+        let error = Diagnostic::error(self.peek().span, message).label("from here on");
+        Box::new(error.hint("give the inner parts rules or constants of their own"))
+    }
+
     fn after_previous(&self) -> Span {
         match self.at {
             0 => self.peek().span,
@@ -206,8 +217,21 @@ impl<'t> Parser<'t> {
         }
     }
 
+    fn is_followed_by_definition(&self) -> bool {
+        matches!(self.peek_after(1).kind, Kind::Arrow | Kind::Symbol("="))
+    }
+
+    /// For what stands behind an item on its line.
+    fn left_over(&self) -> Box<Diagnostic> {
+        let hint = match self.is_word("if") || self.is_word("when") {
+            true => "a condition stands before the arrow: `label : condition --> operation`",
+            false => "a rule ends with its line, unless one of its brackets is open",
+        };
+        self.unexpected_with("expected the next rule on a line of its own", hint)
+    }
+
     fn starts_item(&self) -> bool {
-        let defines = matches!(self.peek_after(1).kind, Kind::Arrow | Kind::Symbol("="));
+        let defines = self.is_followed_by_definition();
         match self.peek().place {
             _ if self.peek().kind != Kind::Ident => false,
             Place::FirstAtMargin => true,
@@ -220,6 +244,9 @@ impl<'t> Parser<'t> {
 
     fn item(&mut self, grammar: &mut Grammar, comments: Vec<String>) -> Parse<()> {
         self.depth = 0;
+        if self.at > 0 && self.peek().place == Place::Inner && !self.is_followed_by_definition() {
+            return Err(self.left_over());
+        }
         let second = self.peek_after(1);
         if self.is_word("up") && second.kind == Kind::Ident {
             return self.up(grammar);
@@ -269,10 +296,11 @@ impl<'t> Parser<'t> {
         };
         let condition = if self.accept(":").is_some() { Some(self.expr()?) } else { None };
         if self.peek().kind != Kind::Arrow {
-            let error = self.unexpected(&format!("expected `-->` after `{}`", label.name));
-            return Err(Box::new(
-                error.hint("a rule reads `label --> operation`, a constant `name = value`"),
-            ));
+            let hint = match self.is_symbol("-") {
+                true => "the arrow has two dashes: `-->`",
+                false => "a rule reads `label --> operation`, a constant `name = value`",
+            };
+            return Err(self.unexpected_with(&format!("expected `-->` after `{}`", label.name), hint));
         }
         self.next();
         let successor = self.successor()?;
@@ -289,8 +317,7 @@ impl<'t> Parser<'t> {
     fn successor(&mut self) -> Parse<Successor> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
-            let error = self.unexpected("operations are nested too deeply");
-            return Err(Box::new(error.hint("give the inner ones rules of their own")));
+            return Err(self.too_much("operations are nested too deeply"));
         }
         let start = self.peek().span;
         let op = self.op()?;
@@ -299,6 +326,9 @@ impl<'t> Parser<'t> {
     }
 
     fn op(&mut self) -> Parse<Op> {
+        if self.starts_item() && self.is_followed_by_definition() {
+            return Err(self.unexpected("expected an operation or a label"));
+        }
         let label = self.ident("an operation or a label")?;
         match label.name.as_str() {
             "nil" => Ok(Op::Nil),
@@ -361,8 +391,17 @@ impl<'t> Parser<'t> {
             let star = self.expect("*", "after a group: it is repeated as often as it fits")?;
             return Ok(Item::Group { items, span: open.span.to(star.span) });
         }
+        const HINT: &str = "a part reads `size : operation`, as in `~1 : wall`";
+        if self.is_symbol("}") || self.is_symbol("|") {
+            return Err(self.unexpected_with("expected a part", HINT));
+        }
         let size = self.size()?;
-        self.expect(":", "between the size of a part and its operation")?;
+        if !self.is_symbol(":") {
+            return Err(
+                self.unexpected_with("expected `:` between the size of a part and its operation", HINT)
+            );
+        }
+        self.next();
         Ok(Item::Part { size, body: self.successor()? })
     }
 
@@ -524,7 +563,7 @@ impl<'t> Parser<'t> {
     fn inner_expr(&mut self) -> Parse<Expr> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
-            return Err(self.unexpected("the expression is nested too deeply"));
+            return Err(self.too_much("an expression is nested too deeply"));
         }
         let expr = self.binary(0);
         self.depth -= 1;
@@ -537,7 +576,7 @@ impl<'t> Parser<'t> {
         while let Some(op) = self.binary_op().filter(|op| op.binding() >= least) {
             self.operators += 1;
             if self.operators > MAX_OPERATORS {
-                return Err(self.unexpected("the expression is too long"));
+                return Err(self.too_much("an expression has too many operators"));
             }
             self.next();
             let right = self.binary(op.binding() + 1)?;
@@ -570,7 +609,7 @@ impl<'t> Parser<'t> {
         };
         self.depth += 1;
         if self.depth > MAX_DEPTH {
-            return Err(self.unexpected("the expression is nested too deeply"));
+            return Err(self.too_much("an expression is nested too deeply"));
         }
         let operand = self.binary(binding)?;
         self.depth -= 1;
@@ -629,7 +668,8 @@ impl<'t> Parser<'t> {
         };
         let span = token.span.to(Span::new(0, self.previous_end()));
         function.takes(args.len()).map_err(|expected| {
-            let message = format!("`{name}` cannot take {} arguments", args.len());
+            let plural = if args.len() == 1 { "" } else { "s" };
+            let message = format!("`{name}` cannot take {} argument{plural}", args.len());
             Box::new(Diagnostic::error(span, message).hint(format!("it takes {expected}")))
         })?;
         Ok(Expr { kind: ExprKind::Call(function, args), span })

@@ -56,6 +56,9 @@ impl RunError {
                     .to_owned()
             }
             Kind::NoRule { .. } => "add a rule without a condition, or one for this case".to_owned(),
+            Kind::Step { what: "count", .. } => "a count is zero or more".to_owned(),
+            Kind::Step { .. } => "a size is more than zero: `max(1, ...)` keeps it so".to_owned(),
+            Kind::NotANumber => "keep the divisor from zero: `max(1, ...)`, or a condition".to_owned(),
             Kind::Angle(_) => "write pi/2, pi or 3*pi/2 (or 90, 180, 270 degrees)".to_owned(),
             Kind::NotVertical { up } => format!("write `R({up}, ...)`"),
             Kind::TooDeep(_) => {
@@ -94,7 +97,7 @@ impl fmt::Display for Kind {
             Kind::NotANumber => {
                 write!(f, "an expression has no value: it divides by zero or grows without bound")
             }
-            Kind::Step { what, value } => write!(f, "the {what} of a repeat is {value}"),
+            Kind::Step { what, value } => write!(f, "the {what} of a repeat is {value}, which is too little"),
             Kind::Angle(angle) => write!(f, "{angle} is not a multiple of a quarter turn"),
             Kind::NotVertical { up } => write!(f, "blocks only turn about the vertical, which is {up} here"),
             Kind::Rhythm => write!(
