@@ -87,11 +87,11 @@ impl Slope {
     }
 }
 
-/// A slope that rises by `high` over `run` cells, over the cell `at` from its foot.
+/// A slope that rises by `high` over `run` cells, over the cell `at` from its foot. It goes on
+/// rising behind them: there the other slopes of a hip are the lower ones.
 fn ramp(at: i32, run: f64, high: i32, way: Way) -> Rise {
     let pitch = f64::from(high) / run;
-    let height = ((f64::from(at) + 0.5) * pitch).min(f64::from(high));
-    Rise { height, pitch, uphill: Some(way) }
+    Rise { height: (f64::from(at) + 0.5) * pitch, pitch, uphill: Some(way) }
 }
 
 /// Two slopes that rise from both ends of `length` over half of `run` each.

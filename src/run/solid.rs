@@ -232,6 +232,14 @@ mod tests {
     }
 
     #[test]
+    fn the_ridge_of_a_steep_hip_is_straight() {
+        assert_eq!(
+            tops(Slope::Hip, [7, 3, 4]),
+            ["0o 0^ 0^ 0^ 0^ 0^ 0o", "0> 2o 2^ 2^ 2^ 2o 0<", "0> 2o 2v 2v 2v 2o 0<", "0o 0v 0v 0v 0v 0v 0o"]
+        );
+    }
+
+    #[test]
     fn a_hip_of_one_pitch_goes_all_around() {
         assert_eq!(tops(Slope::Hip, [4, 2, 4]), ["0o 0^ 0^ 0o", "0> 1o 1o 0<", "0> 1o 1o 0<", "0o 0v 0v 0o"]);
     }
