@@ -115,11 +115,10 @@ impl<'g> Raising<'g> {
             return false;
         }
         let is_leaf = self.graph.is_leaf(node);
-        let users = self.graph.uses(node);
         let is_root = node == self.graph.root;
         *self.graph.op(node) == Op::Choose
             || is_root
-            || (!is_leaf && (users > 1 || self.graph.name(node).is_some()))
+            || (!is_leaf && (self.graph.is_shared(node) || self.graph.name(node).is_some()))
     }
 
     fn op(&mut self, node: NodeIndex, params: &[String]) -> Successor {

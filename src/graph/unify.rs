@@ -104,9 +104,9 @@ impl OpGraph {
         Some(order)
     }
 
-    /// How many edges lead to a node.
-    pub fn uses(&self, node: NodeIndex) -> usize {
-        self.graph.edges_directed(node, Direction::Incoming).count()
+    /// Whether several edges lead to a node.
+    pub fn is_shared(&self, node: NodeIndex) -> bool {
+        self.graph.edges_directed(node, Direction::Incoming).nth(1).is_some()
     }
 }
 

@@ -37,9 +37,14 @@ const THINNEST: i32 = 2;
 /// Groups the examples by size and finds the planes of each group, on the axis where they allow most.
 /// Labelled boxes have none: they are not made of neighbourhoods.
 pub fn exchanges(examples: &[Example], terminals: &mut Terminals) -> Vec<Exchange> {
+    let groups = by_size(examples);
+    if groups.iter().all(|members| members.len() == 1) {
+        let alone = |members| Exchange { members, axis: Axis::Y, planes: Vec::new() };
+        return groups.into_iter().map(alone).collect();
+    }
     let cells: Vec<Option<Array3<u32>>> = examples.iter().map(|example| example.cells(terminals)).collect();
     let seen: FxHashSet<Neighbourhood> = cells.iter().flatten().flat_map(neighbourhoods).collect();
-    by_size(examples)
+    groups
         .into_iter()
         .map(|members| {
             let grids: Option<Vec<&Array3<u32>>> =

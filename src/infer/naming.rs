@@ -45,8 +45,9 @@ fn named_nodes(graph: &OpGraph) -> Vec<NodeIndex> {
     for node in graph.children_first().unwrap_or_default() {
         let is_leaf = graph.is_leaf(node);
         let inner: usize = graph.children(node).map(|(_, child)| words[child.index()]).sum();
-        let is_named =
-            *graph.op(node) == Op::Choose || (!is_leaf && inner > LONG) || (!is_leaf && graph.uses(node) > 1);
+        let is_named = *graph.op(node) == Op::Choose
+            || (!is_leaf && inner > LONG)
+            || (!is_leaf && graph.is_shared(node));
         if is_named && node != graph.root() {
             named.push(node);
         }
@@ -63,10 +64,11 @@ fn describe(example: &Example, bounds: Bounds) -> String {
     }
     let (material, feature) = match example {
         Example::Blocks(grid) => {
-            let mut volumes: BTreeMap<u16, u64> = BTreeMap::new();
-            bounds.cells().for_each(|cell| *volumes.entry(grid.id(cell)).or_insert(0) += 1);
-            let states = volumes.iter().map(|(id, volume)| (grid.palette().get(*id), *volume));
-            let solid: Vec<(&BlockState, u64)> = states.filter(|(state, _)| !state.is_air()).collect();
+            let mut volumes = vec![0; grid.palette().states().len()];
+            bounds.cells().for_each(|cell| volumes[usize::from(grid.id(cell))] += 1);
+            let states = grid.palette().states().iter().zip(volumes);
+            let solid: Vec<(&BlockState, u64)> =
+                states.filter(|(state, volume)| *volume > 0 && !state.is_air()).collect();
             (most(solid.iter().map(|(state, volume)| (state.short_name(), *volume))), feature(&solid))
         }
         Example::Boxes(boxes) => {
