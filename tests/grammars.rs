@@ -90,7 +90,8 @@ fn houses_are_sound() {
             assert_eq!(buildings::blocked_doors(&grid), [], "{at} has a door that cannot be walked through");
             assert_eq!(buildings::floating(&grid), [], "{at} has floating blocks");
             assert_eq!(buildings::unsupported(&grid), [], "{at} has blocks that hang on nothing");
-            assert_eq!(buildings::missing_halves(&grid), [], "{at} has half a bed");
+            assert_eq!(buildings::half_beds(&grid), [], "{at} has half a bed");
+            assert_eq!(buildings::exposed(&grid), [], "{at} has a room with a hole");
         }
     }
 }
