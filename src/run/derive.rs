@@ -4,13 +4,17 @@ use super::error::{Kind, RunError, Warning};
 use super::eval::{Env, Value};
 use super::place::Place;
 use super::rhythm::written_out;
+use super::shell::shell;
 use super::start::weighted;
 use super::{Options, Overrun};
-use crate::grammar::ast::{Face, SizeKind};
+use crate::grammar::ast::SizeKind;
 use crate::graph::{Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
-use crate::space::{Axis, Bounds, Cell, Length, Misfit, Scope, Turn, Up, clip, fit, shares};
+use crate::space::{Axis, Bounds, Cell, Length, Misfit, Scope, Turn, clip, fit, shares};
 use std::collections::BTreeMap;
 use std::rc::Rc;
+
+/// Differences below this are noise of floating-point arithmetic.
+const NOISE: f64 = 1e-6;
 
 /// A primitive and the scope it fills.
 #[derive(Clone, Copy, Debug)]
@@ -110,65 +114,49 @@ type Step = Result<(), Kind>;
 
 impl<'g> Derivation<'_, '_, 'g> {
     fn step(&mut self, task: Task<'g>) -> Step {
-        let limits = self.options.limits;
-        self.steps += 1;
-        if task.depth > limits.depth {
-            return Err(Kind::TooDeep(limits.depth));
-        }
-        if self.steps > limits.steps {
-            return Err(Kind::TooManySteps(limits.steps));
-        }
+        self.count(&task)?;
         let graph = self.graph;
         match graph.op(task.node) {
             Op::Nil => Ok(()),
-            Op::Primitive { name, material } => {
-                let mut env = self.env(&task);
-                let name = env.thing(name)?;
-                let material = material.as_ref().map(|material| env.thing(material)).transpose()?;
-                self.primitive(&task, name, material)
-            }
-            Op::Split { axis, groups } => {
-                let axis = self.env(&task).axis(axis)?;
-                self.split(&task, axis, groups)
-            }
+            Op::Primitive { name, material } => self.primitive(&task, name, material.as_ref()),
+            Op::Split { axis, groups } => self.split(&task, axis, groups),
             Op::Repeat { axis, size } => {
-                let mut env = self.env(&task);
-                let (axis, size) = (env.axis(axis)?, env.number(size)?);
-                if size <= 0.0 {
-                    return Err(Kind::Step { what: "size", value: size });
-                }
-                self.repeat(&task, axis, (f64::from(task.scope.len(axis)) / size - 1e-6).ceil())
+                let (axis, count) = self.as_often_as_fits(&task, axis, size)?;
+                self.repeat(&task, axis, count)
             }
             Op::RepeatN { axis, count } => {
-                let mut env = self.env(&task);
-                let (axis, count) = (env.axis(axis)?, env.number(count)?.round());
-                if count < 0.0 {
-                    return Err(Kind::Step { what: "count", value: count });
-                }
+                let (axis, count) = self.so_often(&task, axis, count)?;
                 self.repeat(&task, axis, count)
             }
             Op::Translate(delta) => {
                 let delta = self.lengths(&task, delta)?;
-                let scope = task.scope.moved(delta);
-                self.only(&task, scope)
+                self.only(&task, task.scope.moved(delta))
             }
             Op::Resize(size) => {
                 let size = self.lengths(&task, size)?;
-                let scope = task.scope.resized(size.max(Cell::ZERO));
-                self.only(&task, scope)
+                self.only(&task, task.scope.resized(size.max(Cell::ZERO)))
             }
             Op::Rotate { axis, angle } => {
-                let mut env = self.env(&task);
-                let (axis, angle) = (env.axis(axis)?, env.number(angle)?);
-                if axis != graph.up.axis() {
-                    return Err(Kind::NotVertical { up: graph.up.to_string() });
-                }
-                let scope = task.scope.turned(quarter_turns(angle)?);
-                self.only(&task, scope)
+                let turn = self.turn(&task, axis, angle)?;
+                self.only(&task, task.scope.turned(turn))
             }
-            Op::Comp => self.comp(&task),
-            Op::Choose => self.choose(task),
-            Op::Call(args) => self.call(task, args),
+            Op::Comp => {
+                self.comp(&task);
+                Ok(())
+            }
+            Op::Choose => self.choose(&task),
+            Op::Call(args) => self.call(&task, args),
+        }
+    }
+
+    /// Counts a step against the limits.
+    fn count(&mut self, task: &Task<'g>) -> Step {
+        let limits = self.options.limits;
+        self.steps += 1;
+        match self.steps > limits.steps {
+            true => Err(Kind::TooManySteps(limits.steps)),
+            false if task.depth > limits.depth => Err(Kind::TooDeep(limits.depth)),
+            false => Ok(()),
         }
     }
 
@@ -187,7 +175,10 @@ impl<'g> Derivation<'_, '_, 'g> {
     }
 
     /// Hands a primitive on. A door without room is a warning: the rest of the building still stands.
-    fn primitive(&mut self, task: &Task<'g>, name: &'g Thing, material: Option<&'g Thing>) -> Step {
+    fn primitive(&mut self, task: &Task<'g>, name: &'g Expr, material: Option<&'g Expr>) -> Step {
+        let mut env = self.env(task);
+        let name = env.thing(name)?;
+        let material = material.map(|material| env.thing(material)).transpose()?;
         let scope = self.inside(task)?;
         if scope.is_empty() {
             return Ok(());
@@ -226,18 +217,10 @@ impl<'g> Derivation<'_, '_, 'g> {
         Ok(())
     }
 
-    fn split(&mut self, task: &Task<'g>, axis: Axis, groups: &'g [Group]) -> Step {
+    fn split(&mut self, task: &Task<'g>, axis: &'g Expr, groups: &'g [Group]) -> Step {
+        let axis = self.env(task).axis(axis)?;
         let total = task.scope.len(axis);
-        let graph = self.graph;
-        let mut children = Vec::new();
-        let mut lengths = Vec::new();
-        let mut env = Env::new(&self.constants, &task.params, Some(&task.scope), task.place);
-        for (arg, child) in graph.children(task.node) {
-            if let Arg::Size(size) = arg {
-                lengths.push(length(size, total, &mut env)?);
-                children.push(child);
-            }
-        }
+        let (mut lengths, mut children) = self.parts(task, total)?;
         if !groups.is_empty() {
             let order = written_out(&lengths, groups, total)?;
             lengths = order.iter().map(|at| lengths[*at]).collect();
@@ -249,6 +232,19 @@ impl<'g> Derivation<'_, '_, 'g> {
             self.push(task.child(number, child, part));
         }
         Ok(())
+    }
+
+    /// The lengths and the children of a split, as they are written.
+    fn parts(&self, task: &Task<'g>, total: i32) -> Result<(Vec<Length>, Vec<NodeIndex>), Kind> {
+        let mut env = self.env(task);
+        let (mut lengths, mut children) = (Vec::new(), Vec::new());
+        for (arg, child) in self.graph.children(task.node) {
+            if let Arg::Size(size) = arg {
+                lengths.push(length(size, total, &mut env)?);
+                children.push(child);
+            }
+        }
+        Ok((lengths, children))
     }
 
     fn fitted(
@@ -268,6 +264,34 @@ impl<'g> Derivation<'_, '_, 'g> {
                 }
             }
         })
+    }
+
+    /// How often a size fits along an axis, rounded up (seed 1, section 4.3.4).
+    fn as_often_as_fits(&self, task: &Task<'g>, axis: &'g Expr, size: &'g Expr) -> Result<(Axis, f64), Kind> {
+        let mut env = self.env(task);
+        let (axis, size) = (env.axis(axis)?, env.number(size)?);
+        match size > 0.0 {
+            true => Ok((axis, (f64::from(task.scope.len(axis)) / size - NOISE).ceil())),
+            false => Err(Kind::Step { what: "size", value: size }),
+        }
+    }
+
+    fn so_often(&self, task: &Task<'g>, axis: &'g Expr, count: &'g Expr) -> Result<(Axis, f64), Kind> {
+        let mut env = self.env(task);
+        let (axis, count) = (env.axis(axis)?, env.number(count)?.round());
+        match count >= 0.0 {
+            true => Ok((axis, count)),
+            false => Err(Kind::Step { what: "count", value: count }),
+        }
+    }
+
+    fn turn(&self, task: &Task<'g>, axis: &'g Expr, angle: &'g Expr) -> Result<Turn, Kind> {
+        let mut env = self.env(task);
+        let (axis, angle) = (env.axis(axis)?, env.number(angle)?);
+        match axis == self.graph.up.axis() {
+            true => quarter_turns(angle),
+            false => Err(Kind::NotVertical { up: self.graph.up.to_string() }),
+        }
     }
 
     fn repeat(&mut self, task: &Task<'g>, axis: Axis, count: f64) -> Step {
@@ -303,38 +327,19 @@ impl<'g> Derivation<'_, '_, 'g> {
         Ok(lengths)
     }
 
-    /// The faces of the scope's shell, one block thick. A cell that lies on several of the named faces
-    /// belongs to the first of top, bottom, front, back, left and right.
-    fn comp(&mut self, task: &Task<'g>) -> Step {
-        let graph = self.graph;
-        let parts: Vec<(Face, NodeIndex)> = graph
-            .children(task.node)
-            .filter_map(|(arg, child)| match arg {
-                Arg::Face(face) => Some((*face, child)),
-                _ => None,
-            })
-            .collect();
-        let mut rest = task.scope;
-        let mut tasks = Vec::new();
-        for (number, face) in [Face::Top, Face::Bottom, Face::Front, Face::Back, Face::Left, Face::Right]
-            .into_iter()
-            .enumerate()
-        {
-            if let Some(child) = named_face(&parts, face)
-                && !rest.is_empty()
-            {
-                let (shell, inner) = peel(&rest, face);
-                tasks.push(task.child(number, child, shell));
-                rest = inner;
-            }
+    fn comp(&mut self, task: &Task<'g>) {
+        let faces = self.graph.children(task.node).filter_map(|(arg, child)| match arg {
+            Arg::Face(face) => Some((*face, child)),
+            _ => None,
+        });
+        for (number, child, face) in shell(&task.scope, &faces.collect::<Vec<_>>()).into_iter().rev() {
+            self.push(task.child(number, child, face));
         }
-        tasks.into_iter().rev().for_each(|task| self.push(task));
-        Ok(())
     }
 
-    fn choose(&mut self, task: Task<'g>) -> Step {
+    fn choose(&mut self, task: &Task<'g>) -> Step {
         let graph = self.graph;
-        let mut env = self.env(&task);
+        let mut env = self.env(task);
         let mut weights = Vec::new();
         let mut open = Vec::new();
         for (number, (arg, child)) in graph.children(task.node).enumerate() {
@@ -354,9 +359,9 @@ impl<'g> Derivation<'_, '_, 'g> {
         Ok(())
     }
 
-    fn call(&mut self, task: Task<'g>, args: &'g [Expr]) -> Step {
+    fn call(&mut self, task: &Task<'g>, args: &'g [Expr]) -> Step {
         let graph = self.graph;
-        let mut env = self.env(&task);
+        let mut env = self.env(task);
         let mut params = Vec::with_capacity(args.len());
         for arg in args {
             params.push(env.value(arg)?);
@@ -380,44 +385,10 @@ fn length<'g>(size: &'g Size, total: i32, env: &mut Env<'_, 'g>) -> Result<Lengt
 
 /// A multiple of a quarter turn in radians, or of 90 in degrees: no number but 0 is both.
 fn quarter_turns(angle: f64) -> Result<Turn, Kind> {
-    let near = |quarters: f64| (quarters - quarters.round()).abs() < 1e-6;
+    let near = |quarters: f64| (quarters - quarters.round()).abs() < NOISE;
     let radians = angle / std::f64::consts::FRAC_PI_2;
     let degrees = angle / 90.0;
     let quarters =
         [radians, degrees].into_iter().find(|quarters| near(*quarters)).ok_or(Kind::Angle(angle))?;
     Ok(Turn::quarters(quarters.round().rem_euclid(4.0) as i32))
-}
-
-/// The operation for a face: the one that names it, else that for all sides, else that for all faces.
-fn named_face(parts: &[(Face, NodeIndex)], face: Face) -> Option<NodeIndex> {
-    let is_upright = !matches!(face, Face::Top | Face::Bottom);
-    let names = [Some(face), is_upright.then_some(Face::Side), Some(Face::All)];
-    let mut found =
-        names.into_iter().flatten().filter_map(|name| parts.iter().find(|(known, _)| *known == name));
-    found.next().map(|(_, child)| *child)
-}
-
-/// The slab of a face, with its own axes (x along the face from left to right as seen from outside), and
-/// what is left of the scope.
-fn peel(scope: &Scope, face: Face) -> (Scope, Scope) {
-    // The front is where the plan's second direction comes from: the high end of z, or the low end of y.
-    let (depth, front_is_low) = match scope.frame.up {
-        Up::Y => (Axis::Z, false),
-        Up::Z => (Axis::Y, true),
-    };
-    let up = scope.frame.up.axis();
-    let (axis, is_low, turn) = match face {
-        Face::Top => (up, false, 0),
-        Face::Bottom => (up, true, 0),
-        Face::Back => (depth, !front_is_low, 2),
-        Face::Left => (Axis::X, true, 3),
-        Face::Right => (Axis::X, false, 1),
-        Face::Front | Face::Side | Face::All => (depth, front_is_low, 0),
-    };
-    let length = scope.len(axis);
-    let (shell, rest) = match is_low {
-        true => (scope.part(axis, 0, 1), scope.part(axis, 1, length)),
-        false => (scope.part(axis, length - 1, length), scope.part(axis, 0, length - 1)),
-    };
-    (shell.turned(Turn::quarters(turn)), rest)
 }

@@ -8,6 +8,7 @@ mod eval;
 mod place;
 mod ramp;
 mod rhythm;
+mod shell;
 mod solid;
 mod start;
 
