@@ -121,13 +121,15 @@ pub fn source(path: &Path) -> Result<Source, Failure> {
 
 /// A grammar without errors. Every finding is told.
 pub fn checked(source: &Source) -> Result<Checked, Failure> {
-    let checked = grammar::read(&source.text);
-    let findings = match &checked {
-        Ok(checked) => &checked.warnings,
-        Err(findings) => findings,
-    };
-    findings.iter().for_each(|finding| report::diagnostic(source, finding));
-    checked.map_err(|findings| {
+    let checked = without_errors(source)?;
+    checked.warnings.iter().for_each(|finding| report::diagnostic(source, finding));
+    Ok(checked)
+}
+
+/// A grammar without errors. Its warnings are not told.
+fn without_errors(source: &Source) -> Result<Checked, Failure> {
+    grammar::read(&source.text).map_err(|findings| {
+        findings.iter().for_each(|finding| report::diagnostic(source, finding));
         let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
         let noun = if errors == 1 { "error" } else { "errors" };
         Failure::of_file(&source.name, format!("{errors} {noun}"))
@@ -136,7 +138,9 @@ pub fn checked(source: &Source) -> Result<Checked, Failure> {
 
 /// A grammar file as a graph from `start`, or from its first rule.
 pub fn graph(source: &Source, start: Option<&str>) -> Result<OpGraph, Failure> {
-    lower(&checked(source)?, start).map_err(|error| Failure::of_file(&source.name, error))
+    // What the first rule does not reach is no slip where another one starts.
+    let checked = if start.is_some() { without_errors(source)? } else { checked(source)? };
+    lower(&checked, start).map_err(|error| Failure::of_file(&source.name, error))
 }
 
 /// The schematics that a graph names as primitives, looked for beside its grammar.

@@ -135,15 +135,17 @@ pub struct Template(String);
 impl Template {
     /// The paths for these seeds, which must all differ.
     pub fn paths(&self, seeds: &[u64]) -> Result<Vec<PathBuf>, Failure> {
-        if seeds.len() > 1 && !self.0.contains("{seed}") && !self.0.contains("{n}") {
+        if seeds.len() > 1 && !self.0.contains("{seed}") && !self.0.contains("{number}") {
             let failure =
                 Failure::of_file(&self.0, format!("{} files cannot all have this name", seeds.len()));
-            return Err(failure.hint("write {seed} or {n} where they differ: -o 'out/house-{seed}.schem'"));
+            return Err(
+                failure.hint("write {seed} or {number} where they differ: -o 'out/house-{seed}.schem'")
+            );
         }
         let path = |(number, seed): (usize, &u64)| {
             let width = seeds.len().to_string().len();
             let number = format!("{:0width$}", number + 1);
-            PathBuf::from(self.0.replace("{seed}", &seed.to_string()).replace("{n}", &number))
+            PathBuf::from(self.0.replace("{seed}", &seed.to_string()).replace("{number}", &number))
         };
         Ok(seeds.iter().enumerate().map(path).collect())
     }

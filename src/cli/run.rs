@@ -20,11 +20,11 @@ Examples:
   vox run cottage.grammar --seed 7 -o cottage.schem
   vox run tower.grammar --size 7x30x7 -o tower.png
   vox run village.grammar -n 50 -o 'out/house-{seed}.schem'
-  vox run garage.grammar -n 10 --boxes -o 'garage-{n}.obj'")]
+  vox run garage.grammar -n 10 --boxes -o 'garage-{number}.obj'")]
 pub struct Args {
     /// The grammar file, or - for standard input
     grammar: PathBuf,
-    /// Where to write: .schem, .obj or .png. {seed} and {n} stand for the seed and the number of each building
+    /// Where to write: .schem, .obj or .png. {seed} and {number} stand for the seed and the number of each building
     #[arg(short, long, value_name = "FILE")]
     output: Template,
     /// The size of the start scope along the grammar's x, y and z; otherwise one that the grammar states

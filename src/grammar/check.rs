@@ -1,7 +1,7 @@
 //! Static checks: what can be known to be wrong before a grammar runs.
 
 use super::ast::*;
-use super::names::{Name, Names};
+use super::names::{Name, Names, closest};
 use super::parse::{Parsed, parse_items};
 use super::{Diagnostic, PRIMITIVES, Severity, Span, is_primitive};
 use crate::block::{self, BlockState};
@@ -465,15 +465,6 @@ fn thing_hint(name: &str) -> String {
         || format!("say what it is made of, as in `{name} = stone`; blocks of mods carry their namespace"),
         |near| format!("did you mean `{near}`? Or say what it is made of, as in `{name} = stone`"),
     )
-}
-
-/// The candidate most like `name`, if one is near enough to be a slip of the pen.
-fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    candidates
-        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
-        .filter(|(distance, _)| *distance <= 1 + name.len() / 4)
-        .min()
-        .map(|(_, candidate)| candidate)
 }
 
 fn count(number: usize, noun: &str) -> String {

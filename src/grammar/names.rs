@@ -61,3 +61,12 @@ pub const PRIMITIVES: [&str; 12] = [
 pub fn is_primitive(name: &str) -> bool {
     PRIMITIVES.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()))
 }
+
+/// The candidate most like `name`, if one is near enough to be a slip of the pen.
+pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    candidates
+        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
+        .filter(|(distance, _)| *distance <= 1 + name.len() / 4)
+        .min()
+        .map(|(_, candidate)| candidate)
+}

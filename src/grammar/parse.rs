@@ -3,6 +3,7 @@
 
 use super::ast::*;
 use super::lex::{Comment, Kind, Place, Token, lex};
+use super::names::closest;
 use super::{Diagnostic, Span};
 use crate::space::{Axis, Up};
 use std::collections::BTreeSet;
@@ -52,6 +53,16 @@ pub fn parse_items(text: &str) -> Parsed {
     }
     errors.sort_by_key(|error| error.span.start);
     Parsed { grammar, errors, broken }
+}
+
+/// For a word with braces behind it that is none of the operations.
+fn no_operation(word: &Ident) -> Box<Diagnostic> {
+    const OPERATIONS: [&str; 7] = ["split", "repeat", "repeatN", "T", "S", "R", "comp"];
+    let near = closest(&word.name, OPERATIONS.into_iter());
+    let hint = near.map_or(format!("the operations with braces are {}", OPERATIONS.join(", ")), |near| {
+        format!("did you mean `{near}`?")
+    });
+    Box::new(Diagnostic::error(word.span, format!("there is no operation `{}`", word.name)).hint(hint))
 }
 
 impl FromStr for Grammar {
@@ -352,7 +363,10 @@ impl<'t> Parser<'t> {
                 } else {
                     Vec::new()
                 };
-                Ok(Op::Call { label, args })
+                match self.is_symbol("{") {
+                    true => Err(no_operation(&label)),
+                    false => Ok(Op::Call { label, args }),
+                }
             }
         }
     }

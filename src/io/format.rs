@@ -40,7 +40,7 @@ impl Format {
             Format::Zip => "a ZIP archive",
             Format::Xml => "an XML text",
             Format::Json => "a JSON text",
-            Format::Text => "a text, but no OBJ: no line gives a vertex or a face",
+            Format::Text => "a text without the vertices and faces of an OBJ",
         }
     }
 
