@@ -1,0 +1,111 @@
+//! The command as users run it. Sessions and what they print stand in `tests/cli`, their input files beside them in
+//! folders named `.in`; those in `.out` must be there afterwards, which proves that no input was changed.
+//! `TRYCMD=overwrite cargo test --test cli` writes the output anew: read it.
+
+use snapbox::cmd::{Command, cargo_bin};
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn sessions() {
+    let cases = trycmd::TestCases::new();
+    cases.env("COLUMNS", "100").case("tests/cli/*.trycmd").case("tests/cli/*.toml");
+}
+
+fn vox(folder: &Path, args: &[&str]) -> Command {
+    Command::new(cargo_bin!("vox")).current_dir(folder).args(args)
+}
+
+/// A folder with the grammar of a small tower in it.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let tower = "size(3, 9, 3)\ntower --> repeat(y, 1){ layer }\nlayer --> I(stone)\nlayer --> I(dirt)\n";
+    fs::write(folder.path().join("tower.grammar"), tower).unwrap();
+    folder
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn the_same_seed_writes_the_same_bytes_anywhere() {
+    let bytes = |seed: &str| {
+        let folder = folder();
+        vox(folder.path(), &["run", "tower.grammar", "--seed", seed, "-o", "a.schem"]).assert().success();
+        fs::read(folder.path().join("a.schem")).unwrap()
+    };
+    assert_eq!(bytes("3"), bytes("3"));
+    assert_ne!(bytes("3"), bytes("4"));
+}
+
+#[test]
+fn a_run_of_many_is_many_runs_of_one() {
+    let folder = folder();
+    vox(folder.path(), &["run", "tower.grammar", "-n", "3", "-o", "{seed}.schem"]).assert().success();
+    vox(folder.path(), &["run", "tower.grammar", "--seed", "2", "-o", "single.schem"]).assert().success();
+    let read = |name| fs::read(folder.path().join(name)).unwrap();
+    assert_eq!(read("2.schem"), read("single.schem"));
+}
+
+#[test]
+fn a_building_passes_through_pipes() {
+    let folder = folder();
+    let made = vox(folder.path(), &["run", "tower.grammar", "-o", "-"]).output().unwrap();
+    assert!(made.status.success() && made.stderr.is_empty());
+    let told = vox(folder.path(), &["info", "-"]).stdin(made.stdout.clone()).output().unwrap();
+    assert!(String::from_utf8(told.stdout).unwrap().contains("3 x 9 x 3"));
+    let picture = vox(folder.path(), &["render", "-", "-o", "-"]).stdin(made.stdout).output().unwrap();
+    assert!(picture.stdout.starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn a_failed_run_leaves_no_file() {
+    let folder = folder();
+    fs::write(folder.path().join("old.schem"), "kept").unwrap();
+    vox(folder.path(), &["run", "tower.grammar", "--max-steps", "3", "-o", "old.schem"]).assert().code(1);
+    vox(folder.path(), &["convert", "tower.grammar", "old.schem"]).assert().code(1);
+    vox(folder.path(), &["render", "tower.grammar", "-o", "new.png"]).assert().code(1);
+    assert_eq!(names(folder.path()), ["old.schem", "tower.grammar"]);
+    assert_eq!(fs::read_to_string(folder.path().join("old.schem")).unwrap(), "kept");
+}
+
+#[test]
+fn colours_are_for_terminals_and_can_be_turned_off() {
+    let folder = folder();
+    let check = || vox(folder.path(), &["check", "none.grammar"]).env_remove("NO_COLOR");
+    let has_colour = |command: Command| command.output().unwrap().stderr.contains(&0x1b);
+    assert!(!has_colour(check()));
+    assert!(has_colour(check().env("CLICOLOR_FORCE", "1")));
+    assert!(!has_colour(check().env("NO_COLOR", "1")));
+}
+
+#[test]
+fn every_shell_gets_completions() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = vox(Path::new("."), &["completions", shell]).output().unwrap();
+        assert!(script.status.success() && script.stderr.is_empty());
+        let script = String::from_utf8(script.stdout).unwrap();
+        assert!(["infer", "render", "schem-version"].iter().all(|word| script.contains(word)), "{shell}");
+    }
+    vox(Path::new("."), &["completions", "cobol"]).assert().code(2);
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let folder = folder();
+    let mut child = std::process::Command::new(cargo_bin!("vox"))
+        .current_dir(folder.path())
+        .args(["graph", "tower.grammar"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty());
+}
