@@ -16,6 +16,7 @@ mod run;
 mod size;
 
 use clap::{Parser, Subcommand};
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Learn a split grammar from Minecraft houses, and grow new ones in the same style.
@@ -49,7 +50,12 @@ enum Command {
 
 /// Runs the command line of the process.
 pub fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    run_from(std::env::args_os())
+}
+
+/// Runs a command line: the program's name, then its arguments. A wrong one ends the process with code 2.
+pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    let result = match Cli::parse_from(args).command {
         Command::Run(args) => run::execute(&args),
         Command::Infer(args) => infer::execute(&args),
         Command::Graph(args) => graph::execute(&args),
