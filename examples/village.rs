@@ -23,6 +23,8 @@ fn main() -> ExitCode {
             return code;
         }
     }
-    println!("out/village.grammar holds the rules, out/village.dot their graph, out/sheet.png the new houses");
+    println!(
+        "out/village.grammar holds the rules, out/village.dot their graph, out/sheet.png the new houses"
+    );
     ExitCode::SUCCESS
 }

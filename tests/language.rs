@@ -1,4 +1,4 @@
-//! The language reference is true: every example in it is parsed, checked and run.
+//! The documents are true: every example of a grammar in them is parsed, checked and run.
 
 use std::fs;
 use std::path::Path;
@@ -6,9 +6,9 @@ use vox::grammar::read;
 use vox::graph::lower;
 use vox::run::{Library, Options, run};
 
-/// The examples of the page, each with the line it starts on.
-fn examples() -> Vec<(usize, String)> {
-    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/language.md")).unwrap();
+/// The examples of a page, each with the line it starts on.
+fn examples(page: &str) -> Vec<(usize, String)> {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(page)).unwrap();
     let mut examples: Vec<(usize, String)> = Vec::new();
     let mut is_inside = false;
     for (number, line) in page.lines().enumerate() {
@@ -31,20 +31,22 @@ fn examples() -> Vec<(usize, String)> {
 
 #[test]
 fn every_example_runs() {
-    let examples = examples();
-    assert!(examples.len() > 10, "found only {} examples", examples.len());
-    for (line, text) in examples {
-        let fail = |why: String| -> ! { panic!("docs/language.md:{line}: {why}\n{text}") };
-        let checked = read(&text).unwrap_or_else(|found| fail(format!("{found:?}")));
-        assert!(checked.warnings.is_empty(), "docs/language.md:{line}: {:?}", checked.warnings);
-        let graph = lower(&checked, None).unwrap_or_else(|error| fail(error.to_string()));
-        for seed in 0..20 {
-            let options = Options { seed, ..Options::default() };
-            let made = run(&graph, &Library::new(), &options).unwrap_or_else(|error| fail(error.to_string()));
-            let grid = made.made;
-            let told: Vec<String> = made.warnings.iter().map(|warning| warning.error.to_string()).collect();
-            assert!(told.is_empty(), "docs/language.md:{line}: {told:?}");
-            assert!(grid.cells().iter().any(|id| *id != 0), "docs/language.md:{line}: nothing was placed");
-        }
+    for (page, least) in [("docs/language.md", 15), ("README.md", 1)] {
+        let examples = examples(page);
+        assert!(examples.len() >= least, "found only {} examples in {page}", examples.len());
+        examples.iter().for_each(|(line, text)| runs(&format!("{page}:{line}"), text));
+    }
+}
+
+/// Runs an example on several seeds: no error, no warning, and something stands there.
+fn runs(place: &str, text: &str) {
+    let checked = read(text).unwrap_or_else(|found| panic!("{place}: {found:?}"));
+    assert!(checked.warnings.is_empty(), "{place}: {:?}", checked.warnings);
+    let graph = lower(&checked, None).unwrap_or_else(|error| panic!("{place}: {error}"));
+    for seed in 0..20 {
+        let options = Options { seed, ..Options::default() };
+        let made = run(&graph, &Library::new(), &options).unwrap_or_else(|error| panic!("{place}: {error}"));
+        assert!(made.warnings.is_empty(), "{place}: {:?}", made.warnings);
+        assert!(made.made.cells().iter().any(|id| *id != 0), "{place}: nothing was placed");
     }
 }
