@@ -5,7 +5,8 @@
 //! one, so that a door of 1 stays 1 wide wherever it lands. Where a boundary lies exactly between two
 //! blocks it moves away from the middle of the scope: mirrored sizes then give mirrored parts, unless a
 //! part of whole size stands in the very middle and the parity leaves it no middle to stand in; the odd
-//! block then goes to the far side.
+//! block then goes to the far side. Sizes that miss the scope by less than half a block miss it at both ends
+//! alike.
 
 /// The size of one part along the axis of a split.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -39,7 +40,7 @@ pub fn fit(total: i32, lengths: &[Length]) -> Result<Vec<i32>, Misfit> {
     match (need + 0.5 - NOISE).floor() as i64 {
         rounded if rounded > i64::from(total) => Err(Misfit::Overrun { need, have }),
         rounded if rounded < i64::from(total) => Err(Misfit::Underrun { need, have }),
-        _ => Ok(round(total, &ideal, lengths)),
+        _ => Ok(round(total, &centred(ideal, total), lengths)),
     }
 }
 
@@ -95,12 +96,21 @@ fn ideal(total: i32, lengths: &[Length]) -> Result<Vec<f64>, Misfit> {
     Ok(ideal)
 }
 
+/// Boundaries that miss the total by less than half a block, shared out to both ends.
+fn centred(ideal: Vec<f64>, total: i32) -> Vec<f64> {
+    let shift = (f64::from(total) - ideal.last().unwrap_or(&0.0)) / 2.0;
+    ideal.into_iter().map(|boundary| boundary + shift).collect()
+}
+
 fn round(total: i32, ideal: &[f64], lengths: &[Length]) -> Vec<i32> {
     let mut rounded = Vec::with_capacity(ideal.len());
     while rounded.len() < ideal.len() {
         let first = rounded.len();
         let last = first + lengths[first..].iter().take_while(|length| is_whole(length)).count();
-        let shift = round_run(ideal[first], ideal[last], f64::from(total)) - ideal[first];
+        // Where a run lies in the very middle, its place in the list tells which half it belongs to.
+        let beyond = ideal[first] + ideal[last] - f64::from(total);
+        let is_past_middle = if beyond.abs() < NOISE { first + last > lengths.len() } else { beyond > 0.0 };
+        let shift = round_start(ideal[first], is_past_middle) - ideal[first];
         rounded.extend(ideal[first..=last].iter().map(|b| ((b + shift).round() as i32).clamp(0, total)));
     }
     // Sizes that miss the total by less than half a block are absorbed by the last part.
@@ -114,10 +124,9 @@ fn is_whole(length: &Length) -> bool {
     matches!(length, Length::Absolute(size) if (size - size.round()).abs() < NOISE)
 }
 
-/// Rounds the first boundary of a run of parts of whole sizes, from `first` to `last`.
-fn round_run(first: f64, last: f64, total: f64) -> f64 {
+/// Rounds the first boundary of a run of parts of whole sizes; ties move away from the middle.
+fn round_start(first: f64, is_past_middle: bool) -> f64 {
     let is_tie = (first - first.floor() - 0.5).abs() < NOISE;
-    let is_past_middle = first + last > total + NOISE;
     match (is_tie, is_past_middle) {
         (false, _) => first.round(),
         (true, false) => first.floor(),
@@ -149,6 +158,14 @@ mod tests {
     fn thin_parts_round_by_their_place() {
         assert_eq!(fitted(10, &[Absolute(0.7), Floating(1.0), Absolute(0.7)]), [1, 8, 1]);
         assert_eq!(fitted(10, &[Absolute(0.2), Floating(1.0), Absolute(0.2)]), [0, 10, 0]);
+    }
+
+    #[test]
+    fn what_misses_the_scope_by_a_little_is_shared_by_both_ends() {
+        let sides = |side| [side, Absolute(2.0), Floating(1.0), Absolute(2.0), side];
+        assert_eq!(fitted(5, &sides(Absolute(0.6))), [0, 2, 1, 2, 0]);
+        assert_eq!(fitted(9, &[Absolute(1.51), Absolute(3.0), Absolute(3.0), Absolute(1.51)]), [1, 3, 3, 2]);
+        assert_eq!(fitted(10, &[Absolute(3.3); 3]), [3, 4, 3]);
     }
 
     #[test]

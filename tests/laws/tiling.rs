@@ -142,13 +142,11 @@ fn split(body: impl Strategy<Value = Successor> + Clone + 'static) -> impl Strat
     })
 }
 
-/// An operation that is its own mirror image along x: parts of whole sizes in pairs around a floating middle.
+/// An operation that is its own mirror image along x: parts in pairs around a floating middle.
 fn symmetric() -> impl Strategy<Value = Successor> {
     select(&BLOCKS[..]).prop_map(block).prop_recursive(3, 12, 3, |inner| {
-        let part = (kind(), 1..4u32, inner.clone()).prop_map(|(kind, length, body)| Item::Part {
-            size: Size { kind, value: Expr::number(length.into()) },
-            body,
-        });
+        let part = (kind(), length(), inner.clone())
+            .prop_map(|(kind, value, body)| Item::Part { size: Size { kind, value }, body });
         let halves = (vec(part, 0..3), inner.clone()).prop_map(|(half, middle)| {
             let items = half.iter().cloned().chain([floating(middle)]).chain(half.iter().rev().cloned());
             Op::Split { axis: Expr::name("x"), items: items.collect() }
