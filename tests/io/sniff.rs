@@ -50,7 +50,7 @@ fn refusals_say_what_the_file_is() {
             nbt_file([("Regions", Tag::Compound(Compound::new()))]),
             "this is a Litematica schematic (.litematic)",
         ),
-        (b"hello".to_vec(), "this is a text, but no OBJ"),
+        (b"hello".to_vec(), "this is a text without the vertices"),
         (Vec::new(), "the file is empty"),
         (vec![1, 2, 3], "this is no format that vox knows: it starts with the bytes 01 02 03"),
         (
