@@ -7,6 +7,7 @@ use clap_complete::Shell;
 #[derive(clap::Args)]
 #[command(after_help = "Example:\n  vox completions bash > ~/.local/share/bash-completion/completions/vox")]
 pub struct Args {
+    /// The shell to complete for
     shell: Shell,
 }
 
