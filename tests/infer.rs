@@ -131,6 +131,30 @@ fn storeys_are_exchanged_where_no_seam_is_new() {
     assert!(samples.iter().all(|grid| neighbourhoods(grid).is_subset(&seen)));
 }
 
+/// Each of two houses has one door, in the left or in the right half: exchanging the halves would leave a
+/// house without a door, or one with two, though no seam would be new.
+#[test]
+fn what_every_example_has_once_every_sample_has_once() {
+    let house = |front: &str, roof: &str| {
+        let text = format!(
+            "size(9, 5, 3)
+             house --> split(y){{ ~1 : walls | 2 : I({roof}) }}
+             walls --> split(z){{ ~1 : I(stone) | 1 : split(x){{ {front} }} }}
+             door --> split(y){{ 2 : I(door) | ~1 : I(stone) }}"
+        );
+        sample(&graph_of(&text), 0)
+    };
+    let left = house("1 : I(stone) | 1 : door | ~1 : I(stone)", "bricks");
+    let right = house("~1 : I(stone) | 1 : door | 1 : I(stone)", "sandstone");
+    let (_, graph) = learnt(&[Example::Blocks(left), Example::Blocks(right)]);
+    let doors = |grid: &Grid| {
+        grid.bounds().cells().filter(|cell| grid.get(*cell).get("half") == Some("lower")).count()
+    };
+    for seed in 0..20 {
+        assert_eq!(doors(&sample(&graph, seed)), 1, "seed {seed}");
+    }
+}
+
 /// The labelled boxes of a grammar's first runs, as an example each.
 fn runs(graph: &OpGraph, size: [i32; 3], count: u64) -> Vec<Example> {
     (0..count)

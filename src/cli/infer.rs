@@ -3,7 +3,7 @@ use super::input::{self, Reading};
 use super::output;
 use super::progress::Progress;
 use super::report;
-use crate::grammar::{Diagnostic, check, parse};
+use crate::grammar::{self, Diagnostic};
 use crate::graph::{OpGraph, dot, lower, raise};
 use crate::infer::{self, Derivable, Example, InferError, derivable};
 use crate::io::{Content, Scale};
@@ -99,7 +99,7 @@ fn read_back(text: &str) -> Result<OpGraph, Failure> {
         let first = findings.first().map_or(String::new(), |finding| finding.message.clone());
         Failure::new(format!("the learnt grammar does not read back, which is a fault of vox: {first}"))
     };
-    let checked = parse(text).and_then(check).map_err(told)?;
+    let checked = grammar::read(text).map_err(told)?;
     lower(&checked, None).map_err(Failure::new)
 }
 

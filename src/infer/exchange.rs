@@ -2,12 +2,16 @@
 //!
 //! Two examples of one size can be exchanged at a plane if every block neighbourhood of 2 x 2 x 2 that
 //! would then straddle the plane was seen in some example. Halves of doors and beds stay together by the
-//! same token: no example shows one without the other.
+//! same token: no example shows one without the other. And what all examples of a size show equally often
+//! (one door, one chimney) has to stand equally often before the plane, so that no house ends up with two
+//! of it, or with none.
 
-use super::example::{Example, Terminals};
+use super::example::{Example, Terminal, Terminals};
+use crate::block::{self, Shape};
 use crate::space::{Axis, Bounds, Cell};
 use ndarray::{Array3, ArrayView3, Slice};
 use rustc_hash::FxHashSet;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Examples of one size, and the planes on one axis where they can be exchanged.
@@ -44,12 +48,17 @@ pub fn exchanges(examples: &[Example], terminals: &mut Terminals) -> Vec<Exchang
     }
     let cells: Vec<Option<Array3<u32>>> = examples.iter().map(|example| example.cells(terminals)).collect();
     let seen: FxHashSet<Neighbourhood> = cells.iter().flatten().flat_map(neighbourhoods).collect();
+    let kinds = terminals.list.iter().map(kind).collect::<Vec<String>>();
     groups
         .into_iter()
         .map(|members| {
             let grids: Option<Vec<&Array3<u32>>> =
                 members.iter().map(|member| cells[*member].as_ref()).collect();
-            let (axis, planes) = grids.map_or((Axis::Y, Vec::new()), |grids| best_planes(&grids, &seen));
+            let found = grids.map(|grids| {
+                let fixtures = fixtures(&grids, &kinds);
+                Group { grids, seen: &seen, fixtures }.best_planes()
+            });
+            let (axis, planes) = found.unwrap_or((Axis::Y, Vec::new()));
             Exchange { members, axis, planes }
         })
         .collect()
@@ -143,66 +152,120 @@ fn array_axis(axis: Axis) -> usize {
     }
 }
 
-/// The planes on the axis where they allow the most that is new; of equal ones on y, then x, then z.
-fn best_planes(grids: &[&Array3<u32>], seen: &FxHashSet<Neighbourhood>) -> (Axis, Vec<Plane>) {
-    let found = [Axis::Z, Axis::X, Axis::Y].map(|axis| (axis, planes(grids, axis, seen)));
-    let best = found.into_iter().max_by_key(|(_, (gain, _))| *gain);
-    best.map_or((Axis::Y, Vec::new()), |(axis, (_, planes))| (axis, planes))
+/// Examples of one size as arrays of terminals.
+struct Group<'a> {
+    grids: Vec<&'a Array3<u32>>,
+    seen: &'a FxHashSet<Neighbourhood>,
+    /// By terminal, the number of the fixture that it belongs to.
+    fixtures: Vec<Option<usize>>,
 }
 
-/// The planes to use on an axis, and how many combinations they allow that no example shows.
-fn planes(grids: &[&Array3<u32>], axis: Axis, seen: &FxHashSet<Neighbourhood>) -> (usize, Vec<Plane>) {
-    let length = grids[0].len_of(ndarray::Axis(array_axis(axis))) as i32;
-    let mut found: Vec<(usize, Plane)> = (THINNEST..=length - THINNEST)
-        .map(|at| Plane { at, classes: classes(grids, axis, at, seen) })
-        .map(|plane| (gain(grids, axis, &plane), plane))
-        .filter(|(gain, _)| *gain > 0)
-        .collect();
-    found.sort_by_key(|(gain, plane)| (std::cmp::Reverse(*gain), plane.at));
-    let (mut total, mut chosen): (usize, Vec<Plane>) = (0, Vec::new());
-    for (gain, plane) in found {
-        let is_apart = chosen.iter().all(|other| (other.at - plane.at).abs() >= THINNEST);
-        if is_apart && chosen.len() < MOST_PLANES {
-            total += gain;
-            chosen.push(plane);
-        }
+impl Group<'_> {
+    /// The planes on the axis where they allow the most that is new; of equal ones on y, then x, then z.
+    fn best_planes(&self) -> (Axis, Vec<Plane>) {
+        let found = [Axis::Z, Axis::X, Axis::Y].map(|axis| (axis, self.planes(axis)));
+        let best = found.into_iter().max_by_key(|(_, (gain, _))| *gain);
+        best.map_or((Axis::Y, Vec::new()), |(axis, (_, planes))| (axis, planes))
     }
-    chosen.sort_by_key(|plane| plane.at);
-    (total, chosen)
-}
 
-/// By member, the number of the first class whose members can all be exchanged with it.
-fn classes(grids: &[&Array3<u32>], axis: Axis, at: i32, seen: &FxHashSet<Neighbourhood>) -> Vec<usize> {
-    let fits =
-        |a: usize, b: usize| straddling(grids[a], grids[b], axis, at).all(|cells| seen.contains(&cells));
-    let mut classes: Vec<Vec<usize>> = Vec::new();
-    let mut of_member = Vec::with_capacity(grids.len());
-    for member in 0..grids.len() {
-        let joins =
-            |class: &Vec<usize>| class.iter().all(|other| fits(*other, member) && fits(member, *other));
-        let class = classes.iter().position(joins).unwrap_or(classes.len());
-        match classes.get_mut(class) {
-            Some(members) => members.push(member),
-            None => classes.push(vec![member]),
-        }
-        of_member.push(class);
+    fn length(&self, axis: Axis) -> i32 {
+        self.grids[0].len_of(ndarray::Axis(array_axis(axis))) as i32
     }
-    of_member
-}
 
-/// How many combinations a plane allows that no example shows.
-fn gain(grids: &[&Array3<u32>], axis: Axis, plane: &Plane) -> usize {
-    let length = grids[0].len_of(ndarray::Axis(array_axis(axis)));
-    let at = plane.at as usize;
-    let count = plane.classes.iter().max().map_or(0, |last| last + 1);
-    (0..count)
-        .map(|class| {
-            let members = || grids.iter().zip(&plane.classes).filter(|(_, own)| **own == class);
+    /// The planes to use on an axis, and how many combinations they allow that no example shows.
+    fn planes(&self, axis: Axis) -> (usize, Vec<Plane>) {
+        let mut found: Vec<(usize, Plane)> = (THINNEST..=self.length(axis) - THINNEST)
+            .map(|at| Plane { at, classes: self.classes(axis, at) })
+            .map(|plane| (self.gain(axis, &plane), plane))
+            .filter(|(gain, _)| *gain > 0)
+            .collect();
+        found.sort_by_key(|(gain, plane)| (std::cmp::Reverse(*gain), plane.at));
+        let (mut total, mut chosen): (usize, Vec<Plane>) = (0, Vec::new());
+        for (gain, plane) in found {
+            let is_apart = chosen.iter().all(|other| (other.at - plane.at).abs() >= THINNEST);
+            if is_apart && chosen.len() < MOST_PLANES {
+                total += gain;
+                chosen.push(plane);
+            }
+        }
+        chosen.sort_by_key(|plane| plane.at);
+        (total, chosen)
+    }
+
+    /// By member, the number of the first class whose members can all be exchanged with it.
+    fn classes(&self, axis: Axis, at: i32) -> Vec<usize> {
+        let counts: Vec<Vec<u32>> =
+            self.grids.iter().map(|grid| self.fixtures_before(grid, axis, at)).collect();
+        let fits = |a: usize, b: usize| {
+            straddling(self.grids[a], self.grids[b], axis, at).all(|cells| self.seen.contains(&cells))
+        };
+        let agree = |a: usize, b: usize| counts[a] == counts[b] && fits(a, b) && fits(b, a);
+        let mut classes: Vec<Vec<usize>> = Vec::new();
+        let mut of_member = Vec::with_capacity(self.grids.len());
+        for member in 0..self.grids.len() {
+            let joins = |class: &Vec<usize>| class.iter().all(|other| agree(*other, member));
+            let class = classes.iter().position(joins).unwrap_or(classes.len());
+            match classes.get_mut(class) {
+                Some(members) => members.push(member),
+                None => classes.push(vec![member]),
+            }
+            of_member.push(class);
+        }
+        of_member
+    }
+
+    /// How often each fixture stands before a plane.
+    fn fixtures_before(&self, grid: &Array3<u32>, axis: Axis, at: i32) -> Vec<u32> {
+        let mut counts = vec![0; self.fixtures.len()];
+        let before = slab(grid, axis, 0..at as usize);
+        let numbers = before.iter().filter_map(|terminal| self.fixtures[*terminal as usize]);
+        numbers.for_each(|number| counts[number] += 1);
+        counts
+    }
+
+    /// How many combinations a plane allows that no example shows.
+    fn gain(&self, axis: Axis, plane: &Plane) -> usize {
+        let (at, length) = (plane.at as usize, self.length(axis) as usize);
+        let count = plane.classes.iter().max().map_or(0, |last| last + 1);
+        let gain = |class: usize| {
+            let members = || self.grids.iter().zip(&plane.classes).filter(move |(_, own)| **own == class);
             let kinds =
                 |range: Range<usize>| distinct(members().map(|(grid, _)| slab(grid, axis, range.clone())));
             kinds(0..at) * kinds(at..length) - kinds(0..length)
+        };
+        (0..count).map(gain).sum()
+    }
+}
+
+/// What a terminal is counted as: doors are doors and beds are beds, whatever they are made of.
+fn kind(terminal: &Terminal) -> String {
+    match terminal {
+        Terminal::Label(label) => label.clone(),
+        Terminal::Block(state) => match block::shape(state) {
+            Shape::Air => String::new(),
+            Shape::Door(_) => "door".to_owned(),
+            Shape::Bed(_) => "bed".to_owned(),
+            _ => state.name().to_owned(),
+        },
+    }
+}
+
+/// By terminal, the number of its kind if all grids show that kind equally often.
+fn fixtures(grids: &[&Array3<u32>], kinds: &[String]) -> Vec<Option<usize>> {
+    let counted: Vec<BTreeMap<&str, u32>> = grids
+        .iter()
+        .map(|grid| {
+            let mut counts = BTreeMap::new();
+            grid.iter()
+                .for_each(|terminal| *counts.entry(kinds[*terminal as usize].as_str()).or_insert(0) += 1);
+            counts
         })
-        .sum()
+        .collect();
+    let is_fixture = |kind: &&str| {
+        !kind.is_empty() && counted.iter().all(|counts| counts.get(kind) == counted[0].get(kind))
+    };
+    let fixtures: Vec<&str> = counted[0].keys().copied().filter(is_fixture).collect();
+    kinds.iter().map(|kind| fixtures.iter().position(|fixture| fixture == kind)).collect()
 }
 
 fn slab(grid: &Array3<u32>, axis: Axis, range: Range<usize>) -> ArrayView3<'_, u32> {

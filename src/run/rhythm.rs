@@ -13,7 +13,7 @@ const NOISE: f64 = 1e-6;
 ///
 /// A group of absolute sizes is repeated as often as it fits; one with floating sizes as often as comes
 /// nearest to their sizes taken as blocks, and once at least. What the parts outside the groups take is
-/// set aside first, floating ones at their sizes in blocks; several groups share the rest.
+/// set aside first, floating ones at their sizes in whole blocks; several groups share the rest.
 pub fn written_out(parts: &[Length], groups: &[Group], total: i32) -> Result<Vec<usize>, Kind> {
     let mut out = Vec::new();
     let rhythm = Rhythm { parts, groups, most: THIN * (total.max(0) as usize + 1) + parts.len() };
@@ -32,7 +32,7 @@ impl Rhythm<'_> {
     /// Writes out the children of `range`; `inner` is the first group that may lie inside it.
     fn write(&self, range: Range<usize>, inner: usize, room: f64, out: &mut Vec<usize>) -> Result<(), Kind> {
         let grouped: f64 = self.direct(&range, inner).map(|(_, group)| self.natural(group)).sum();
-        let free = (room - (self.natural(&range) - grouped)).max(0.0);
+        let free = (room - self.outside(&range, inner)).max(0.0);
         let mut at = range.start;
         for (number, group) in self.direct(&range, inner) {
             out.extend(at..group.start);
@@ -48,6 +48,16 @@ impl Rhythm<'_> {
         }
         out.extend(at..range.end);
         Ok(())
+    }
+
+    /// The blocks that the parts of `range` outside its groups take.
+    fn outside(&self, range: &Range<usize>, inner: usize) -> f64 {
+        let is_outside = |part: &usize| !self.direct(range, inner).any(|(_, group)| group.contains(part));
+        let blocks = |part: usize| match self.parts[part] {
+            Length::Absolute(size) => size.max(0.0),
+            Length::Floating(size) => size.max(0.0).round(),
+        };
+        range.clone().filter(is_outside).map(blocks).sum()
     }
 
     /// The groups directly inside `range`, with their numbers.
