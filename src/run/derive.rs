@@ -10,11 +10,15 @@ use super::{Options, Overrun};
 use crate::grammar::ast::SizeKind;
 use crate::graph::{Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
 use crate::space::{Axis, Bounds, Cell, Length, Misfit, Scope, Turn, clip, fit, shares};
+use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Differences below this are noise of floating-point arithmetic.
 const NOISE: f64 = 1e-6;
+
+/// A list that most often has few elements, which then need no memory of their own.
+type Few<T> = SmallVec<[T; 8]>;
 
 /// A primitive and the scope it fills.
 #[derive(Clone, Copy, Debug)]
@@ -235,9 +239,9 @@ impl<'g> Derivation<'_, '_, 'g> {
     }
 
     /// The lengths and the children of a split, as they are written.
-    fn parts(&self, task: &Task<'g>, total: i32) -> Result<(Vec<Length>, Vec<NodeIndex>), Kind> {
+    fn parts(&self, task: &Task<'g>, total: i32) -> Result<(Few<Length>, Few<NodeIndex>), Kind> {
         let mut env = self.env(task);
-        let (mut lengths, mut children) = (Vec::new(), Vec::new());
+        let (mut lengths, mut children) = (Few::new(), Few::new());
         for (arg, child) in self.graph.children(task.node) {
             if let Arg::Size(size) = arg {
                 lengths.push(length(size, total, &mut env)?);
@@ -340,8 +344,7 @@ impl<'g> Derivation<'_, '_, 'g> {
     fn choose(&mut self, task: &Task<'g>) -> Step {
         let graph = self.graph;
         let mut env = self.env(task);
-        let mut weights = Vec::new();
-        let mut open = Vec::new();
+        let (mut weights, mut open) = (Few::new(), Few::new());
         for (number, (arg, child)) in graph.children(task.node).enumerate() {
             let Arg::Alternative(alternative) = arg else { continue };
             if alternative.condition.as_ref().map_or(Ok(true), |condition| env.truth(condition))? {
@@ -362,11 +365,11 @@ impl<'g> Derivation<'_, '_, 'g> {
     fn call(&mut self, task: &Task<'g>, args: &'g [Expr]) -> Step {
         let graph = self.graph;
         let mut env = self.env(task);
-        let mut params = Vec::with_capacity(args.len());
+        let mut params = Few::new();
         for arg in args {
             params.push(env.value(arg)?);
         }
-        let params: Rc<[Value<'g>]> = params.into();
+        let params: Rc<[Value<'g>]> = Rc::from(params.as_slice());
         for (_, child) in graph.children(task.node) {
             self.push(Task { params: params.clone(), ..task.child(0, child, task.scope) });
         }

@@ -32,6 +32,12 @@ pub enum Kind {
     PaletteFull,
 }
 
+impl From<Box<Kind>> for Kind {
+    fn from(kind: Box<Kind>) -> Kind {
+        *kind
+    }
+}
+
 impl RunError {
     pub fn anywhere(kind: Kind) -> RunError {
         RunError { kind, origin: None }

@@ -38,7 +38,8 @@ enum Stream {
     Open(Pcg64Mcg),
 }
 
-type Eval<T> = Result<T, Kind>;
+/// Errors are boxed: values are handed on far more often, and should travel in registers.
+pub type Eval<T> = Result<T, Box<Kind>>;
 
 impl<'a, 'g> Env<'a, 'g> {
     pub fn new(
@@ -57,22 +58,24 @@ impl<'a, 'g> Env<'a, 'g> {
         }
         match self.value(expr)? {
             Value::Number(number) if number.is_finite() => Ok(number),
-            Value::Number(_) => Err(Kind::NotANumber),
-            found => Err(Kind::Type { expected: "a number", found: found.describe() }),
+            Value::Number(_) => Err(Box::new(Kind::NotANumber)),
+            found => Err(Box::new(Kind::Type { expected: "a number", found: found.describe() })),
         }
     }
 
     pub fn axis(&mut self, expr: &'g Expr) -> Eval<Axis> {
         match self.value(expr)? {
             Value::Axis(axis) => Ok(axis),
-            found => Err(Kind::Type { expected: "an axis", found: found.describe() }),
+            found => Err(Box::new(Kind::Type { expected: "an axis", found: found.describe() })),
         }
     }
 
     pub fn thing(&mut self, expr: &'g Expr) -> Eval<&'g Thing> {
         match self.value(expr)? {
             Value::Thing(thing) => Ok(thing),
-            found => Err(Kind::Type { expected: "a block or a primitive", found: found.describe() }),
+            found => {
+                Err(Box::new(Kind::Type { expected: "a block or a primitive", found: found.describe() }))
+            }
         }
     }
 
@@ -135,7 +138,7 @@ impl<'a, 'g> Env<'a, 'g> {
             (Function::Floor, &[number]) => number.floor(),
             (Function::Ceil, &[number]) => number.ceil(),
             (Function::Round, &[number]) => number.round(),
-            _ => return Err(Kind::NotANumber),
+            _ => return Err(Box::new(Kind::NotANumber)),
         })
     }
 
@@ -149,7 +152,7 @@ impl<'a, 'g> Env<'a, 'g> {
         const EXACT: f64 = 9e15;
         let (low, high) = (low.min(high).ceil(), low.max(high).floor());
         if low > high || low < -EXACT || high > EXACT {
-            return Err(Kind::NotANumber);
+            return Err(Box::new(Kind::NotANumber));
         }
         Ok(self.stream().random_range(low as i64..=high as i64) as f64)
     }
