@@ -74,9 +74,11 @@ impl Family {
         std::iter::once(&self.full).chain(cut.into_iter().chain(made).flatten())
     }
 
-    /// Whether `name` is a member, or no block at all but a material.
+    /// Whether `name` is a member, or no block at all but a material that something is cut from: a full block
+    /// without its last letter is a slip, not a material.
     fn holds(&self, name: &str) -> bool {
-        known(name).is_none() || self.members().any(|member| member.short_name() == name)
+        let is_material = || known(name).is_none() && self.members().nth(1).is_some();
+        self.members().any(|member| member.short_name() == name) || is_material()
     }
 }
 
@@ -145,7 +147,7 @@ mod tests {
 
     #[test]
     fn what_is_neither_material_nor_solid_has_no_family() {
-        for name in ["poppy", "torch", "mod:planks", "nonsense", ""] {
+        for name in ["poppy", "torch", "mod:planks", "nonsense", "glas", "oak_plank", "oak_stair", ""] {
             assert_eq!(Family::of(name), None, "{name}");
         }
     }
