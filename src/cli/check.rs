@@ -4,6 +4,7 @@ use super::output;
 use super::report::{self, Source};
 use crate::grammar::{self, Diagnostic, Severity};
 use serde_json::json;
+use std::path::PathBuf;
 
 /// Check grammars: every error at once, each with its place
 #[derive(clap::Args)]
@@ -11,7 +12,7 @@ use serde_json::json;
 pub struct Args {
     /// Grammar files, or - for standard input
     #[arg(required = true)]
-    grammars: Vec<String>,
+    grammars: Vec<PathBuf>,
     /// Print the findings as JSON, one line a finding
     #[arg(long)]
     json: bool,

@@ -1,7 +1,7 @@
 use super::failure::Failure;
 use super::input::{self, Reading};
 use super::output::{self, Kind, Writing};
-use crate::io::Content;
+use crate::io::{Content, Scale};
 use std::path::PathBuf;
 
 /// Convert a building from one kind of file to another
@@ -15,19 +15,24 @@ pub struct Args {
     input: PathBuf,
     /// What to write: .schem, .obj or .png, or - for standard output
     output: PathBuf,
+    /// Blocks per unit of OBJ coordinates
+    #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
+    scale: Option<Scale>,
     #[command(flatten)]
     writing: Writing,
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
     let kind = args.writing.kind(&args.output)?;
-    match input::content(&args.input, &Reading::default())? {
-        Content::Grid(grid) => args.writing.grid(&args.output, &grid),
+    let reading = Reading { scale: args.scale, ..Reading::default() };
+    let outputs = match input::content(&args.input, &reading)? {
+        Content::Grid(grid) => args.writing.grid(&args.output, &grid)?,
         Content::Boxes(boxes) if kind == Kind::Obj => output::boxes(&args.output, &boxes.boxes),
         Content::Boxes(_) => {
             let name = input::name(&args.input);
             let failure = Failure::of_file(&name, "labelled boxes have no blocks, and can only become .obj");
-            Err(failure.hint("learn a grammar from them with `vox infer`, then run it"))
+            return Err(failure.hint("learn a grammar from them with `vox infer`, then run it"));
         }
-    }
+    };
+    output::write(&outputs, std::slice::from_ref(&args.input))
 }

@@ -1,5 +1,6 @@
 use super::failure::Failure;
-use super::{input, output};
+use super::input;
+use super::output::{self, Output};
 use crate::graph::dot;
 use std::path::PathBuf;
 
@@ -22,5 +23,6 @@ pub struct Args {
 pub fn execute(args: &Args) -> Result<(), Failure> {
     let source = input::source(&args.grammar)?;
     let graph = input::graph(&source, args.start.as_deref())?;
-    output::write(&args.output, dot(&graph).as_bytes())
+    let outputs = [Output::new(&args.output, dot(&graph))];
+    output::write(&outputs, std::slice::from_ref(&args.grammar))
 }

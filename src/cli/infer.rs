@@ -1,11 +1,11 @@
 use super::failure::Failure;
 use super::input::{self, Reading};
-use super::output;
+use super::output::{self, Output};
 use super::progress::Progress;
 use super::report;
 use crate::grammar::{self, Diagnostic};
 use crate::graph::{OpGraph, dot, lower, raise};
-use crate::infer::{self, Derivable, Example, InferError, derivable};
+use crate::infer::{self, Derivable, Example, InferError, Learnt, derivable, variety};
 use crate::io::{Content, Scale};
 use serde_json::json;
 use std::collections::BTreeSet;
@@ -22,7 +22,7 @@ Examples:
 pub struct Args {
     /// Schematics, or OBJ files of labelled boxes (`o name`); - for standard input
     #[arg(required = true)]
-    examples: Vec<String>,
+    examples: Vec<PathBuf>,
     /// Where to write the grammar; standard output if not given
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     output: PathBuf,
@@ -30,19 +30,18 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     dot: Option<PathBuf>,
     /// Blocks per unit of OBJ coordinates
-    #[arg(long, value_name = "NUMBER", value_parser = scale)]
+    #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
     /// Print what was learnt as JSON. The grammar then goes to a file only
-    #[arg(long, requires = "output")]
+    #[arg(long)]
     json: bool,
 }
 
-fn scale(text: &str) -> Result<Scale, String> {
-    let scale = text.parse().ok().and_then(Scale::new);
-    scale.ok_or_else(|| "expected a number above zero".to_owned())
-}
-
 pub fn execute(args: &Args) -> Result<(), Failure> {
+    if args.json && input::is_stdio(&args.output) {
+        let failure = Failure::new("standard output cannot hold both the grammar and JSON");
+        return Err(failure.hint("say where the grammar goes: `-o village.grammar`"));
+    }
     let paths = input::paths(&args.examples)?;
     let reading = Reading { scale: args.scale, ..Reading::default() };
     let progress = Progress::new(paths.len());
@@ -55,18 +54,35 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
         progress.step();
     }
     drop(progress);
-    let mut graph = infer::infer(&examples).map_err(|error| failure(&paths, &error))?;
+    tell_losses(&paths, &examples);
+    let Learnt { mut graph, labels } = infer::infer(&examples).map_err(|error| failure(&paths, &error))?;
     graph.preamble = preamble(&paths);
     let text = raise(&graph).to_string();
     let graph = read_back(&text)?;
-    let reproduced: Vec<bool> =
-        examples.iter().map(|example| derivable(&graph, example) == Derivable::Yes).collect();
-    prove(&paths, &reproduced)?;
-    output::write(&args.output, text.as_bytes())?;
-    if let Some(path) = &args.dot {
-        output::write(path, dot(&graph).as_bytes())?;
-    }
+    let derived = |example| derivable(&graph, &labels, example) == Derivable::Yes;
+    prove(&paths, &examples.iter().map(derived).collect::<Vec<bool>>())?;
+    let mut outputs = vec![Output::new(&args.output, text)];
+    outputs.extend(args.dot.as_ref().map(|path| Output::new(path, dot(&graph))));
+    output::write(&outputs, &paths)?;
     tell(args, &graph, examples.len())
+}
+
+/// Grammars place block states only.
+fn tell_losses(paths: &[PathBuf], examples: &[Example]) {
+    let counts = examples.iter().map(|example| match example {
+        Example::Blocks(grid) => grid.block_entities.len() + grid.metadata.entities.len(),
+        Example::Boxes(_) => 0,
+    });
+    let lost: Vec<usize> = counts.collect();
+    let total: usize = lost.iter().sum();
+    if let Some(first) = lost.iter().position(|count| *count > 0) {
+        let others = lost.iter().filter(|count| **count > 0).count() - 1;
+        let more = if others == 0 { String::new() } else { format!(" and {others} more") };
+        report::warning(&format!(
+            "{}{more}: what is in {total} chests, signs, beds and the like is not learnt, only their blocks",
+            input::name(&paths[first])
+        ));
+    }
 }
 
 fn failure(paths: &[PathBuf], error: &InferError) -> Failure {
@@ -119,8 +135,10 @@ fn prove(paths: &[PathBuf], reproduced: &[bool]) -> Result<(), Failure> {
 fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
     let grammar = raise(graph);
     let labels: BTreeSet<&str> = grammar.rules.iter().map(|rule| rule.label.name.as_str()).collect();
+    let ways = variety(graph).unwrap_or(f64::INFINITY);
     if args.json {
         return output::json(&json!({
+            "ways": ways,
             "examples": examples,
             "reproduced": examples,
             "rules": grammar.rules.len(),
@@ -128,6 +146,23 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
             "operations": graph.unified().len(),
         }));
     }
-    report::note(&format!("{examples} of {examples} examples reproduced, by {} rules", grammar.rules.len()));
+    let rules = count(grammar.rules.len() as f64, "rule");
+    report::note(&format!("{examples} of {examples} examples reproduced, by {rules}"));
+    report::note(&match ways > examples as f64 {
+        true => format!("there are {} through the rules", count(ways, "way")),
+        false => {
+            "the rules make only the examples again: where several have one size, their parts can be mixed"
+                .to_owned()
+        }
+    });
     Ok(())
+}
+
+/// A number with its noun; a large one in words of ten.
+fn count(number: f64, noun: &str) -> String {
+    let plural = if number == 1.0 { "" } else { "s" };
+    match number < 1e6 {
+        true => format!("{number} {noun}{plural}"),
+        false => format!("more than a million {noun}{plural}"),
+    }
 }

@@ -3,10 +3,11 @@ use super::input::{self, Reading};
 use super::output;
 use crate::block::BlockState;
 use crate::grid::{Grid, LabelledBoxes};
-use crate::io::Content;
+use crate::io::{Content, Scale};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::PathBuf;
 
 /// Tell what is in a file: its size, its blocks, what it says of itself
 #[derive(clap::Args)]
@@ -14,16 +15,20 @@ use std::fmt::Write;
 pub struct Args {
     /// Schematics or OBJ files, or - for standard input
     #[arg(required = true)]
-    files: Vec<String>,
+    files: Vec<PathBuf>,
+    /// Blocks per unit of OBJ coordinates
+    #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
+    scale: Option<Scale>,
     /// Print as JSON, one line a file
     #[arg(long)]
     json: bool,
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
+    let reading = Reading { scale: args.scale, ..Reading::default() };
     for path in input::paths(&args.files)? {
         let name = input::name(&path);
-        match (input::content(&path, &Reading::default())?, args.json) {
+        match (input::content(&path, &reading)?, args.json) {
             (Content::Grid(grid), true) => output::json(&grid_json(&name, &grid))?,
             (Content::Grid(grid), false) => output::stdout(grid_text(&name, &grid).as_bytes())?,
             (Content::Boxes(boxes), true) => output::json(&boxes_json(&name, &boxes))?,

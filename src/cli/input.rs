@@ -11,14 +11,14 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The files that the arguments name: a pattern that the shell left alone is looked up here.
-pub fn paths(args: &[String]) -> Result<Vec<PathBuf>, Failure> {
+pub fn paths(args: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut paths = Vec::new();
-    for arg in args {
-        let is_pattern = arg.contains(['*', '?', '[']) && !Path::new(arg).exists();
-        if !is_pattern {
-            paths.push(PathBuf::from(arg));
+    for path in args {
+        let pattern = path.to_str().filter(|text| text.contains(['*', '?', '[']) && !path.exists());
+        let Some(arg) = pattern else {
+            paths.push(path.clone());
             continue;
-        }
+        };
         let found = glob::glob(arg).map_err(|error| Failure::of_file(arg, error))?;
         let mut found: Vec<PathBuf> = found.filter_map(Result::ok).collect();
         if found.is_empty() {
@@ -61,6 +61,12 @@ pub struct Reading {
     pub limits: Limits,
     /// Of labelled boxes; whole units where none is given.
     pub scale: Option<Scale>,
+}
+
+/// A scale on the command line.
+pub fn scale(text: &str) -> Result<Scale, String> {
+    let scale = text.parse().ok().and_then(Scale::new);
+    scale.ok_or_else(|| "expected a number above zero".to_owned())
 }
 
 /// The content of a building's file. What reading it had to put right is told.

@@ -5,7 +5,7 @@ use super::input::is_stdio;
 use super::report;
 use crate::block;
 use crate::grid::{Grid, LabelledBox};
-use crate::io::{self, SchemVersion};
+use crate::io::{self, SchemVersion, Staged};
 use crate::view;
 use clap::ValueEnum;
 use std::io::Write;
@@ -61,8 +61,8 @@ impl Writing {
         }
     }
 
-    /// Writes a grid.
-    pub fn grid(&self, path: &Path, grid: &Grid) -> Result<(), Failure> {
+    /// The files of a grid.
+    pub fn grid(&self, path: &Path, grid: &Grid) -> Result<Vec<Output>, Failure> {
         let name = path.display().to_string();
         match self.kind(path)? {
             Kind::Schem => {
@@ -72,47 +72,88 @@ impl Writing {
                     ));
                 }
                 let bytes = io::encode_schem(grid, self.schem_version);
-                write(path, &bytes.map_err(|error| Failure::write(&name, &error))?)
+                Ok(vec![Output::new(path, bytes.map_err(|error| Failure::write(&name, &error))?)])
             }
-            Kind::Obj => mesh(path, grid),
+            Kind::Obj => Ok(mesh(path, grid)),
             Kind::Png => picture(path, &view::isometric(grid, &view::ViewOptions::default())),
         }
     }
 }
 
-/// A mesh, with its materials in a file beside it.
-fn mesh(path: &Path, grid: &Grid) -> Result<(), Failure> {
+/// A file to write.
+#[derive(Debug)]
+pub struct Output {
+    path: PathBuf,
+    bytes: Vec<u8>,
+}
+
+impl Output {
+    pub fn new(path: &Path, bytes: impl Into<Vec<u8>>) -> Output {
+        Output { path: path.to_owned(), bytes: bytes.into() }
+    }
+}
+
+/// A mesh, with its materials in a file beside it; on standard output there is nothing beside it.
+fn mesh(path: &Path, grid: &Grid) -> Vec<Output> {
     let materials = path.with_extension("mtl");
     let name = materials.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mesh = io::encode_obj_mesh(grid, &name, |state| {
         let [r, g, b, _] = block::color(state).0;
         [r, g, b]
     });
-    if !is_stdio(path) {
-        write(&materials, mesh.mtl.as_bytes())?;
+    if is_stdio(path) {
+        let alone =
+            mesh.obj.lines().filter(|line| !line.starts_with("mtllib ")).map(|line| format!("{line}\n"));
+        return vec![Output::new(path, alone.collect::<String>())];
     }
-    write(path, mesh.obj.as_bytes())
+    vec![Output::new(&materials, mesh.mtl), Output::new(path, mesh.obj)]
 }
 
 /// Labelled boxes, one OBJ object each.
-pub fn boxes(path: &Path, boxes: &[LabelledBox]) -> Result<(), Failure> {
-    write(path, io::encode_obj_boxes(boxes).as_bytes())
+pub fn boxes(path: &Path, boxes: &[LabelledBox]) -> Vec<Output> {
+    vec![Output::new(path, io::encode_obj_boxes(boxes))]
 }
 
-pub fn picture(path: &Path, picture: &image::RgbaImage) -> Result<(), Failure> {
+pub fn picture(path: &Path, picture: &image::RgbaImage) -> Result<Vec<Output>, Failure> {
     let bytes = view::png(picture).map_err(|error| Failure::of_file(&path.display().to_string(), error))?;
-    write(path, &bytes)
+    Ok(vec![Output::new(path, bytes)])
 }
 
-/// Writes a file whole or not at all, or to standard output. Folders on the way are made.
-pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    if is_stdio(path) {
-        return stdout(bytes);
+/// Writes all of the files or none. Folders on the way are made; none of the `inputs` is overwritten.
+pub fn write(outputs: &[Output], inputs: &[PathBuf]) -> Result<(), Failure> {
+    let mut staged = Vec::new();
+    for (at, output) in outputs.iter().enumerate().filter(|(_, output)| !is_stdio(&output.path)) {
+        refuse_inputs(&output.path, inputs)?;
+        if outputs[..at].iter().any(|other| other.path == output.path) {
+            let name = output.path.display().to_string();
+            return Err(Failure::of_file(&name, "two outputs cannot have one name"));
+        }
+        let folder = output.path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let made = folder.map_or(Ok(()), std::fs::create_dir_all);
+        let file = made.and_then(|()| Staged::new(&output.path, &output.bytes));
+        staged.push((file.map_err(|error| unwritable(&output.path, &error))?, &output.path));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let made = folder.map_or(Ok(()), std::fs::create_dir_all);
-    made.and_then(|()| io::write_atomic(path, bytes))
-        .map_err(|error| Failure::of_file(&path.display().to_string(), io_text(&error)))
+    for (file, path) in staged {
+        file.commit().map_err(|error| unwritable(path, &error))?;
+    }
+    outputs.iter().filter(|output| is_stdio(&output.path)).try_for_each(|output| stdout(&output.bytes))
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::of_file(&path.display().to_string(), io_text(error))
+}
+
+fn refuse_inputs(path: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
+    let Ok(place) = path.canonicalize() else { return Ok(()) };
+    let is_input = |input: &PathBuf| input.canonicalize().is_ok_and(|input| input == place);
+    match place.is_file() && inputs.iter().any(is_input) {
+        true => {
+            let failure =
+                Failure::of_file(&path.display().to_string(), "this file is read, and is not overwritten");
+            Err(failure.hint("choose another name for the output"))
+        }
+        false => Ok(()),
+    }
 }
 
 pub fn stdout(bytes: &[u8]) -> Result<(), Failure> {

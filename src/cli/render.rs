@@ -15,7 +15,7 @@ Examples:
 pub struct Args {
     /// Schematics, or - for standard input
     #[arg(required = true)]
-    files: Vec<String>,
+    files: Vec<PathBuf>,
     /// The PNG file to write, or - for standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -39,18 +39,41 @@ enum CornerArg {
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
+    require_png(&args.output)?;
     let paths = input::paths(&args.files)?;
     let options = options(args);
     let progress = Progress::new(paths.len());
     let mut tiles = Vec::with_capacity(paths.len());
+    let mut pixels = 0;
     for path in &paths {
         let grid = input::grid(path, &Reading::default())?;
-        tiles.push((caption(path), view::isometric(&grid, &options)));
+        let picture = view::isometric(&grid, &options);
+        pixels += u64::from(picture.width()) * u64::from(picture.height());
+        if paths.len() > 1 && pixels > MOST_PIXELS {
+            let failure = Failure::new(format!("{} pictures of this size make no sheet", paths.len()));
+            return Err(failure.hint("draw fewer at a time, or smaller ones: `--block 8`"));
+        }
+        tiles.push((caption(path), picture));
         progress.step();
     }
-    match tiles.as_slice() {
-        [(_, only)] => output::picture(&args.output, only),
-        tiles => output::picture(&args.output, &view::sheet(tiles)),
+    let outputs = match tiles.as_slice() {
+        [(_, only)] => output::picture(&args.output, only)?,
+        tiles => output::picture(&args.output, &view::sheet(tiles))?,
+    };
+    output::write(&outputs, &paths)
+}
+
+/// The pixels of all pictures of a sheet: 600 MB of memory.
+const MOST_PIXELS: u64 = 150_000_000;
+
+fn require_png(path: &Path) -> Result<(), Failure> {
+    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    match is_png || input::is_stdio(path) {
+        true => Ok(()),
+        false => {
+            let failure = Failure::of_file(&path.display().to_string(), "pictures are written as .png");
+            Err(failure.hint("name it .png"))
+        }
     }
 }
 

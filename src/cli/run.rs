@@ -1,6 +1,6 @@
 use super::failure::Failure;
 use super::input;
-use super::output::{self, Template, Writing};
+use super::output::{self, Kind, Template, Writing};
 use super::progress::Progress;
 use super::report::{self, Source};
 use super::size::SizeArg;
@@ -34,7 +34,7 @@ pub struct Args {
     #[arg(long, default_value_t = 0)]
     seed: u64,
     /// How many buildings to make
-    #[arg(short, value_name = "N", default_value_t = 1)]
+    #[arg(short, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     number: u32,
     /// The rule to start from, instead of the first
     #[arg(long, value_name = "LABEL")]
@@ -72,8 +72,17 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     let library = input::library(&graph, &args.grammar)?;
     let seeds: Vec<u64> = (0..u64::from(args.number)).map(|number| args.seed.wrapping_add(number)).collect();
     let paths = args.output.paths(&seeds)?;
-    if let Some(path) = paths.first().filter(|_| !args.boxes) {
-        args.writing.kind(path)?;
+    if let Some(path) = paths.first() {
+        let kind = args.writing.kind(path)?;
+        let is_obj = kind == Kind::Obj || (input::is_stdio(path) && args.writing.format.is_none());
+        if args.boxes && !is_obj {
+            let failure =
+                Failure::of_file(&path.display().to_string(), "labelled boxes are written as .obj only");
+            return Err(failure.hint("name it .obj, or leave out `--boxes`"));
+        }
+        if args.json && input::is_stdio(path) {
+            return Err(Failure::new("standard output cannot hold both the building and JSON"));
+        }
     }
     let progress = Progress::new(seeds.len());
     for (seed, path) in seeds.into_iter().zip(&paths) {
@@ -105,15 +114,16 @@ fn make(
         },
         limits: Limits { steps: args.max_steps, cells: args.max_cells, ..Limits::default() },
     };
+    let inputs = std::slice::from_ref(&args.grammar);
     let fail = |error| input::run_failure(source, &error);
     if args.boxes {
         let boxes = told(source, run::run_boxes(graph, &options).map_err(fail)?);
-        output::boxes(path, &boxes)?;
+        output::write(&output::boxes(path, &boxes), inputs)?;
         let size = boxes.iter().map(|labelled| labelled.bounds).reduce(|all, next| all.union(&next));
         return Ok(size.map_or(Cell::ZERO, |bounds| bounds.size()));
     }
     let grid = told(source, run::run(graph, library, &options).map_err(fail)?);
-    args.writing.grid(path, &grid)?;
+    output::write(&args.writing.grid(path, &grid)?, inputs)?;
     Ok(grid.size())
 }
 

@@ -1,7 +1,7 @@
 use super::{Decoded, Limits, ReadError, decode};
 use std::fs::{self, File, Permissions};
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
 /// The content of the file at `path`, by what its bytes say it is.
@@ -15,25 +15,53 @@ pub fn read(path: &Path, limits: &Limits) -> Result<Decoded, ReadError> {
 }
 
 /// Makes `bytes` the content of the file at `path`: wholly, or not at all where something fails.
-///
-/// Links stay links, and what is no file (a pipe, `/dev/null`) is written to and not replaced.
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    match fs::metadata(path) {
-        Ok(old) if !old.is_file() => fs::OpenOptions::new().write(true).open(path)?.write_all(bytes),
-        Ok(old) => replace(&fs::canonicalize(path)?, bytes, Some(old.permissions())),
-        Err(_) => replace(path, bytes, None),
-    }
+    Staged::new(path, bytes)?.commit()
 }
 
-fn replace(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let mut file = beside(folder.unwrap_or(Path::new(".")))?;
-    file.write_all(bytes)?;
-    if let Some(permissions) = permissions {
-        file.as_file().set_permissions(permissions)?;
+/// A file that is written but does not yet stand in its place. Dropped, it leaves nothing behind; so several
+/// files can be written all or none.
+#[derive(Debug)]
+pub struct Staged<'a> {
+    path: PathBuf,
+    content: Content<'a>,
+}
+
+#[derive(Debug)]
+enum Content<'a> {
+    /// Beside its place, to be renamed.
+    Beside(NamedTempFile),
+    /// For what is no file (a pipe, `/dev/null`): it is written to and not replaced.
+    Device(&'a [u8]),
+}
+
+impl Staged<'_> {
+    /// Links stay links, and permissions stay as they are.
+    pub fn new<'a>(path: &Path, bytes: &'a [u8]) -> io::Result<Staged<'a>> {
+        let (path, permissions) = match fs::metadata(path) {
+            Ok(old) if !old.is_file() => {
+                fs::OpenOptions::new().write(true).open(path)?;
+                return Ok(Staged { path: path.to_owned(), content: Content::Device(bytes) });
+            }
+            Ok(old) => (fs::canonicalize(path)?, Some(old.permissions())),
+            Err(_) => (path.to_owned(), None),
+        };
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        let mut file = beside(folder.unwrap_or(Path::new(".")))?;
+        file.write_all(bytes)?;
+        if let Some(permissions) = permissions {
+            file.as_file().set_permissions(permissions)?;
+        }
+        Ok(Staged { path, content: Content::Beside(file) })
     }
-    file.persist(path)?;
-    Ok(())
+
+    /// Puts the file in its place.
+    pub fn commit(self) -> io::Result<()> {
+        match self.content {
+            Content::Beside(file) => file.persist(&self.path).map(drop).map_err(io::Error::from),
+            Content::Device(bytes) => fs::OpenOptions::new().write(true).open(&self.path)?.write_all(bytes),
+        }
+    }
 }
 
 /// A new file for a moment. Unlike other temporary files it ends as a file that others may read.

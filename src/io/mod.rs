@@ -21,7 +21,7 @@ mod warning;
 
 pub use decode::{Content, Decoded, decode, sniff};
 pub use error::{ReadError, WriteError};
-pub use file::{read, write_atomic};
+pub use file::{Staged, read, write_atomic};
 pub use format::Format;
 pub use gzip::GzipError;
 pub use limits::Limits;
