@@ -1,13 +1,13 @@
 //! Proof that a graph derives an example: a search for the choices that give it, cell for cell.
 
-use super::emit::{identifier, turned_label};
+use super::Labels;
+use super::emit::turned_label;
 use super::example::Example;
 use crate::block::{self, BlockState};
 use crate::grammar::ast::{BinaryOp, Function, SizeKind};
-use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph, Size, Thing};
+use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph, Size};
 use crate::grid::{Grid, LabelledBoxes};
-use crate::space::{Axis, Bounds, Cell, Frame, Length, Scope, Turn, fit, shares};
-use ndarray::Array3;
+use crate::space::{Axis, Bounds, Frame, Length, Scope, Turn, fit, shares};
 use rustc_hash::FxHashMap;
 
 /// Whether a graph derives an example.
@@ -19,10 +19,11 @@ pub enum Derivable {
 }
 
 /// Searches for a derivation of `example` from the root of `graph`, on a scope of the example's size.
-pub fn derivable(graph: &OpGraph, example: &Example) -> Derivable {
+/// `labels` says which label a constant stands for.
+pub fn derivable(graph: &OpGraph, labels: &Labels, example: &Example) -> Derivable {
     let target = Target::of(example);
     let frame = Frame { up: graph.up, turn: Turn::NONE };
-    let mut search = Search { graph, target, known: FxHashMap::default() };
+    let mut search = Search { graph, labels, target, known: FxHashMap::default() };
     match search.derives(graph.root(), Scope { bounds: example.bounds(), frame }) {
         true => Derivable::Yes,
         false => Derivable::NotShown,
@@ -31,15 +32,35 @@ pub fn derivable(graph: &OpGraph, example: &Example) -> Derivable {
 
 /// What has to be derived.
 enum Target<'e> {
-    Blocks {
-        grid: &'e Grid,
-        states: Vec<BlockState>,
-    },
-    /// The number of the box at each cell from the container's low corner, from 1; 0 where there is none.
-    Boxes {
-        boxes: &'e LabelledBoxes,
-        cells: Array3<u32>,
-    },
+    Blocks { grid: &'e Grid, states: Vec<BlockState> },
+    Boxes(Placed<'e>),
+}
+
+/// Labelled boxes by their place. No array of the container: it may be far larger than what stands in it.
+struct Placed<'e> {
+    labels: FxHashMap<Bounds, &'e str>,
+    /// By low end on x.
+    in_order: Vec<Bounds>,
+    /// The longest box on x.
+    widest: i32,
+}
+
+impl<'e> Placed<'e> {
+    fn of(boxes: &'e LabelledBoxes) -> Placed<'e> {
+        let mut in_order: Vec<Bounds> = boxes.boxes.iter().map(|labelled| labelled.bounds).collect();
+        in_order.sort_unstable_by_key(|bounds| bounds.min.x);
+        Placed {
+            labels: boxes.boxes.iter().map(|labelled| (labelled.bounds, labelled.label.as_str())).collect(),
+            widest: in_order.iter().map(|bounds| bounds.len(Axis::X)).max().unwrap_or(0),
+            in_order,
+        }
+    }
+
+    fn is_empty(&self, bounds: Bounds) -> bool {
+        let first = self.in_order.partition_point(|other| other.min.x <= bounds.min.x - self.widest);
+        let near = self.in_order[first..].iter().take_while(|other| other.min.x < bounds.max.x);
+        near.into_iter().all(|other| other.intersect(&bounds).is_empty())
+    }
 }
 
 impl<'e> Target<'e> {
@@ -48,16 +69,7 @@ impl<'e> Target<'e> {
             Example::Blocks(grid) => {
                 Target::Blocks { grid, states: grid.palette().states().iter().map(block::complete).collect() }
             }
-            Example::Boxes(boxes) => {
-                let [x, y, z] = boxes.container.size().to_array().map(|length| length as usize);
-                let mut cells = Array3::zeros((y, z, x));
-                for (number, labelled) in boxes.boxes.iter().enumerate() {
-                    for cell in labelled.bounds.cells() {
-                        cells[index(cell - boxes.container.min)] = number as u32 + 1;
-                    }
-                }
-                Target::Boxes { boxes, cells }
-            }
+            Example::Boxes(boxes) => Target::Boxes(Placed::of(boxes)),
         }
     }
 
@@ -66,48 +78,32 @@ impl<'e> Target<'e> {
             Target::Blocks { grid, states } => {
                 bounds.cells().all(|cell| states[usize::from(grid.id(cell))].is_air())
             }
-            Target::Boxes { boxes, cells } => {
-                bounds.cells().all(|cell| cells[index(cell - boxes.container.min)] == 0)
-            }
+            Target::Boxes(boxes) => boxes.is_empty(bounds),
         }
     }
 
-    /// Whether `bounds` holds exactly the primitive of that name.
-    fn is_primitive(&self, graph: &OpGraph, name: &Expr, scope: &Scope) -> bool {
-        let bounds = scope.bounds;
+    /// Whether `scope` holds exactly the primitive of that name.
+    fn is_primitive(&self, name: &str, labels: &Labels, scope: &Scope) -> bool {
         match self {
             Target::Blocks { grid, states } => block_of(name).is_some_and(|wanted| {
                 let wanted = wanted.turned(scope.frame.turn);
-                bounds.cells().all(|cell| states[usize::from(grid.id(cell))] == wanted)
+                scope.bounds.cells().all(|cell| states[usize::from(grid.id(cell))] == wanted)
             }),
-            Target::Boxes { boxes, cells } => {
-                let number = cells[index(bounds.min - boxes.container.min)];
-                let labelled = (number as usize).checked_sub(1).map(|at| &boxes.boxes[at]);
-                labelled.is_some_and(|labelled| {
-                    let (label, turn) = turned_label(&labelled.label);
-                    labelled.bounds == bounds
-                        && Some(identifier(label).as_str()) == label_of(graph, name)
-                        && Turn::quarters(i32::from(turn)) == scope.frame.turn
-                })
-            }
+            Target::Boxes(boxes) => boxes.labels.get(&scope.bounds).is_some_and(|label| {
+                let (label, turn) = turned_label(label);
+                let wanted = labels.get(name).map_or(name, String::as_str);
+                label == wanted && Turn::quarters(i32::from(turn)) == scope.frame.turn
+            }),
         }
     }
 }
 
-fn index(cell: Cell) -> [usize; 3] {
-    [cell.y, cell.z, cell.x].map(|n| n as usize)
+fn block_of(name: &str) -> Option<BlockState> {
+    name.parse().ok().map(|state| block::complete(&state))
 }
 
-fn block_of(name: &Expr) -> Option<BlockState> {
-    match name {
-        Expr::Thing(Thing::Name(text) | Thing::Block(text)) => {
-            text.parse().ok().map(|state| block::complete(&state))
-        }
-        _ => None,
-    }
-}
-
-fn label_of<'g>(graph: &'g OpGraph, name: &'g Expr) -> Option<&'g str> {
+/// The name of a primitive, or of the constant that says what it is.
+fn name_of<'g>(graph: &'g OpGraph, name: &'g Expr) -> Option<&'g str> {
     match name {
         Expr::Thing(thing) => Some(thing.text()),
         Expr::Constant(at) => graph.constants.get(*at).map(|(name, _)| name.as_str()),
@@ -120,6 +116,7 @@ const MOST_WAYS: usize = 1 << 20;
 
 struct Search<'g, 'e> {
     graph: &'g OpGraph,
+    labels: &'g Labels,
     target: Target<'e>,
     known: FxHashMap<(NodeIndex, Scope), bool>,
 }
@@ -144,10 +141,13 @@ impl<'g> Search<'g, '_> {
         let mut children = graph.children(node);
         match graph.op(node) {
             Op::Nil => self.target.is_empty(scope.bounds),
-            Op::Primitive { name, .. } => self.target.is_primitive(graph, name, &scope),
+            Op::Primitive { name, material: None } => {
+                name_of(graph, name).is_some_and(|name| self.target.is_primitive(name, self.labels, &scope))
+            }
             Op::Choose => children.any(|(arg, child)| match arg {
                 Arg::Alternative(alternative) => {
-                    alternative.condition.as_ref().is_none_or(|condition| holds(condition, &scope))
+                    alternative.weight != Expr::number(0.0)
+                        && alternative.condition.as_ref().is_none_or(|condition| holds(condition, &scope))
                         && self.derives(child, scope)
                 }
                 _ => false,
@@ -162,8 +162,8 @@ impl<'g> Search<'g, '_> {
             Op::RepeatN { axis: Expr::Axis(axis), count: Expr::Number(count) } if count.0 >= 1.0 => {
                 self.repeat(node, *axis, count.0 as u32, scope)
             }
-            Op::Rotate { angle: Expr::Number(angle), .. } => {
-                let turn = Turn::quarters((angle.0 / 90.0).round() as i32);
+            Op::Rotate { angle: Expr::Number(angle), .. } if angle.0 % 90.0 == 0.0 => {
+                let turn = Turn::quarters((angle.0 / 90.0) as i32);
                 children.all(|(_, child)| self.derives(child, scope.turned(turn)))
             }
             _ => false,

@@ -1,5 +1,6 @@
 //! From kinds of operations to an op graph.
 
+use super::Learnt;
 use super::combine::{Content, Item, Kind, KindId, Kinds};
 use super::example::{Example, Terminal, Terminals};
 use super::exchange::Exchange;
@@ -8,39 +9,48 @@ use super::law::Law;
 use super::naming::{self, Places};
 use crate::block::{self, BlockState};
 use crate::grammar::ast::BinaryOp;
-use crate::grammar::is_primitive;
-use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, OpGraph, Size, StartSize, Thing};
+use crate::grammar::{is_primitive, is_reserved};
+use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize, Thing};
 use crate::space::{Axis, Bounds, Cell, Up};
+use std::collections::BTreeMap;
 
 /// The op graph of all kinds. Its root chooses between the examples that no rule could join.
-pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, examples: &[Example]) -> OpGraph {
+pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, examples: &[Example]) -> Learnt {
     let mut emitter = Emitter {
         builder: Builder::default(),
         constants: Vec::new(),
+        labels: Vec::new(),
         nodes: Vec::new(),
         places: Places::new(),
+        known: BTreeMap::new(),
     };
     for kind in &kinds.list {
         let node = emitter.kind(kind, terminals);
         emitter.nodes.push(node);
     }
     let root = emitter.root(&slab_nodes(kinds, exchanges, &emitter.nodes), exchanges, examples);
-    let Emitter { builder, constants, nodes, places } = emitter;
+    let Emitter { builder, constants, labels, nodes, places, .. } = emitter;
     let places = naming::places(kinds, &nodes, places);
     let (mut graph, kept) = builder.finish(root);
+    let labels = constants.iter().map(|(name, _)| name.clone()).zip(labels).collect();
     graph.constants = constants;
     graph.sizes = sizes(examples);
+    graph.data_version = data_version(examples);
     naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
-    graph
+    Learnt { graph, labels }
 }
 
 struct Emitter {
     builder: Builder,
     constants: Vec<(String, Expr)>,
+    /// The labels that the constants stand for.
+    labels: Vec<String>,
     /// The node of each kind.
     nodes: Vec<NodeIndex>,
     /// Where the nodes that choose between slabs were first seen.
     places: Places,
+    /// What was made of a slab of these members: each class past a plane comes back for every member before it.
+    known: BTreeMap<(usize, Vec<usize>), NodeIndex>,
 }
 
 impl Emitter {
@@ -93,10 +103,9 @@ impl Emitter {
     /// the language becomes a constant, which says what it is made of.
     fn labelled(&mut self, label: &str) -> NodeIndex {
         let (name, turn) = turned_label(label);
-        let name = identifier(name);
-        let expr = match is_primitive(&name) {
+        let expr = match is_primitive(name) || block::known(name).is_some() {
             true => Expr::name(name),
-            false => self.constant(&name),
+            false => self.constant(name),
         };
         let primitive = self.builder.primitive(expr);
         match turn {
@@ -109,14 +118,28 @@ impl Emitter {
         }
     }
 
-    fn constant(&mut self, name: &str) -> Expr {
-        let known = self.constants.iter().position(|(known, _)| known == name);
-        let at = known.unwrap_or_else(|| {
+    /// The constant for a label, with a material that stands in for what the label means.
+    fn constant(&mut self, label: &str) -> Expr {
+        let at = self.labels.iter().position(|known| known == label).unwrap_or_else(|| {
             let color = COLOURS[self.constants.len() % COLOURS.len()];
-            self.constants.push((name.to_owned(), Expr::name(format!("{color}_concrete"))));
-            self.constants.len() - 1
+            let name = self.free_name(label);
+            self.constants.push((name, Expr::name(format!("{color}_concrete"))));
+            self.labels.push(label.to_owned());
+            self.labels.len() - 1
         });
         Expr::Constant(at)
+    }
+
+    /// The label as a name that means nothing else yet.
+    fn free_name(&self, label: &str) -> String {
+        let name = identifier(label);
+        let is_free = |name: &String| {
+            !is_reserved(name)
+                && block::known(name).is_none()
+                && self.constants.iter().all(|(known, _)| known != name)
+        };
+        let numbered = (2..).map(|number| format!("{name}_{number}"));
+        std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or_default()
     }
 
     /// The choice between examples of different sizes. Each is bound to its own size: at others it would be
@@ -160,6 +183,11 @@ impl Emitter {
         slab: usize,
         members: &[usize],
     ) -> NodeIndex {
+        // Every member before a plane leads to the same members past it.
+        let key = (slab, members.to_vec());
+        if let Some(&known) = self.known.get(&key) {
+            return known;
+        }
         let mut alternatives = Vec::new();
         for member in members {
             let node = slabs[*member][slab];
@@ -180,6 +208,7 @@ impl Emitter {
         let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at) + group.axis.of(bounds.min);
         let rest = bounds.slab(group.axis, low, group.axis.of(bounds.max));
         self.places.entry(node).or_insert((members[0], rest));
+        self.known.insert(key, node);
         node
     }
 }
@@ -211,6 +240,16 @@ fn size_condition(varying: &[Axis], sizes: &[Cell]) -> Option<Expr> {
     let is_size =
         |lengths: Vec<i32>| varying.iter().zip(lengths).map(is_length).reduce(binary(BinaryOp::And));
     known.into_iter().filter_map(is_size).reduce(binary(BinaryOp::Or))
+}
+
+/// The oldest data version among the examples: the game brings older blocks up to date, never newer ones
+/// down.
+fn data_version(examples: &[Example]) -> Option<i32> {
+    let versions = examples.iter().filter_map(|example| match example {
+        Example::Blocks(grid) => grid.metadata.data_version,
+        Example::Boxes(_) => None,
+    });
+    versions.min()
 }
 
 /// The sizes of the examples, each with how often it was seen, in order of first sight.

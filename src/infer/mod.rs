@@ -16,15 +16,18 @@ mod fold;
 mod law;
 mod naming;
 pub mod tree;
+mod variety;
 
 use crate::graph::OpGraph;
 use combine::Slab;
+use std::collections::BTreeMap;
 
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
 pub use cuboids::cuboids;
 pub use derivable::{Derivable, derivable};
 pub use example::{Example, Terminal, Terminals};
 pub use tree::{Node, NodeId, Part, Tree, TreeBuilder};
+pub use variety::variety;
 
 /// Why nothing could be learnt.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -51,12 +54,22 @@ impl InferError {
     }
 }
 
+/// The label that each constant of a learnt graph stands for, by the constant's name.
+pub type Labels = BTreeMap<String, String>;
+
+/// What was learnt.
+#[derive(Clone, Debug)]
+pub struct Learnt {
+    pub graph: OpGraph,
+    pub labels: Labels,
+}
+
 /// Learns one op graph from all examples by the method of seed 1 (chapters 9 and 10): split each into its
 /// terminals, then make one operation of what is equal or differs in size only. Examples of blocks that
 /// have one size are first cut at the planes where they can be exchanged.
 ///
 /// The graph derives every example; [`derivable`] proves it.
-pub fn infer(examples: &[Example]) -> Result<OpGraph, InferError> {
+pub fn infer(examples: &[Example]) -> Result<Learnt, InferError> {
     let first = examples.first().ok_or(InferError::NoExample)?;
     let mut terminals = Terminals::default();
     let exchanges = exchange::exchanges(examples, &mut terminals);
