@@ -132,9 +132,13 @@ impl FromStr for BlockState {
 }
 
 fn property(pair: &str) -> Result<(&str, &str), BadBlockState> {
+    let is_word = |word: &str| {
+        !word.is_empty()
+            && !word.contains(|c: char| c.is_whitespace() || c.is_control() || "[]=\"#".contains(c))
+    };
     pair.split_once('=')
         .map(|(key, value)| (key.trim(), value.trim()))
-        .filter(|(key, value)| !key.is_empty() && !value.is_empty())
+        .filter(|(key, value)| is_word(key) && is_word(value) && !pair.contains("//"))
         .ok_or_else(|| BadBlockState::Property(pair.to_owned()))
 }
 

@@ -9,6 +9,8 @@ pub struct Grammar {
     /// Comment lines before a blank line at the head of the file.
     pub preamble: Vec<String>,
     pub up: Up,
+    /// `data_version 3465`: the version of the game that the block states belong to.
+    pub data_version: Option<i32>,
     pub sizes: Vec<StartSize>,
     pub constants: Vec<Constant>,
     pub rules: Vec<Rule>,

@@ -82,6 +82,11 @@ fn places(grammar: &Grammar) -> BTreeMap<String, Vec<usize>> {
     places
 }
 
+/// Whether a name is a word of the language, which nothing else can be called.
+pub fn is_reserved(name: &str) -> bool {
+    RESERVED.contains(&name)
+}
+
 const RESERVED: [&str; 23] = [
     "I", "nil", "split", "repeat", "repeatN", "T", "S", "R", "comp", "size", "scope", "x", "y", "z", "pi",
     "and", "or", "not", "true", "false", "rand", "randint", "up",
@@ -151,7 +156,7 @@ impl<'g> Checker<'g> {
     }
 
     fn defined_name(&mut self, ident: &Ident) {
-        if RESERVED.contains(&ident.name.as_str()) {
+        if is_reserved(&ident.name) {
             let message = format!("`{}` is a word of the language", ident.name);
             self.error(ident.span, message, "cannot be defined", Some("choose another name".to_owned()));
         }
@@ -164,7 +169,8 @@ impl<'g> Checker<'g> {
         for (at, param) in rule.params.iter().enumerate() {
             self.defined_name(param);
             if rule.params[..at].contains(param) {
-                self.error(param.span, format!("the parameter `{}` stands twice", param.name), "again", None);
+                let message = format!("the parameter `{}` stands twice", param.name);
+                self.error(param.span, message, "again", Some("give each its own name".to_owned()));
             }
         }
         let arity = self.arity(&rule.label.name).unwrap_or(rule.params.len());
@@ -189,7 +195,7 @@ impl<'g> Checker<'g> {
             Op::Nil => {}
             Op::Primitive { name, material } => {
                 self.expr(name, params, Expected::Thing);
-                material.iter().for_each(|material| self.expr(material, params, Expected::Thing));
+                material.iter().for_each(|material| self.material(name, material, params));
             }
             Op::Call { label, args } => {
                 self.call(label, args, successor.span);
@@ -213,7 +219,15 @@ impl<'g> Checker<'g> {
                 self.expr(angle, params, Expected::Number);
                 self.successor(body, params);
             }
-            Op::Comp { parts } => parts.iter().for_each(|(_, body)| self.successor(body, params)),
+            Op::Comp { parts } => {
+                for (at, (face, body)) in parts.iter().enumerate() {
+                    if parts[..at].iter().any(|(other, _)| other == face) {
+                        let message = format!("the face `{}` stands twice", face.name());
+                        self.error(body.span, message, "never runs", Some("keep one of the two".to_owned()));
+                    }
+                    self.successor(body, params);
+                }
+            }
         }
     }
 
@@ -253,6 +267,21 @@ impl<'g> Checker<'g> {
         }
     }
 
+    /// Only a shape is made of something: a block is what it is.
+    fn material(&mut self, name: &Expr, material: &Expr, params: &[Ident]) {
+        self.expr(material, params, Expected::Thing);
+        let is_other = match &name.kind {
+            ExprKind::Name(text) if params.iter().all(|param| param.name != *text) => !is_primitive(text),
+            ExprKind::Block(_) | ExprKind::File(_) => true,
+            _ => false,
+        };
+        if is_other {
+            let message = format!("`{name}` is no shape that could be made of `{material}`");
+            let hint = format!("write `I({name})`, or one of the shapes: {}", PRIMITIVES.join(", "));
+            self.error(name.span, message, "no shape", Some(hint));
+        }
+    }
+
     fn call(&mut self, label: &Ident, args: &[Expr], span: Span) {
         match self.arity(&label.name) {
             None if self.broken.contains(&label.name) => {}
@@ -264,10 +293,24 @@ impl<'g> Checker<'g> {
             Some(arity) if arity != args.len() => {
                 let message =
                     format!("`{}` takes {}, not {}", label.name, count(arity, "argument"), args.len());
-                self.error(span, message, "called here", None);
+                let params = self.parameters(&label.name);
+                self.error(
+                    span,
+                    message,
+                    "called here",
+                    Some(format!("its rules read `{}{params} --> ...`", label.name)),
+                );
             }
             Some(_) => {}
         }
+    }
+
+    /// The parameters of a label as its first rule has them, in brackets.
+    fn parameters(&self, label: &str) -> String {
+        let first = self.rules.get(label).and_then(|rules| rules.first());
+        let names: Vec<&str> =
+            first.map_or_else(Vec::new, |rule| rule.params.iter().map(|param| param.name.as_str()).collect());
+        if names.is_empty() { String::new() } else { format!("({})", names.join(", ")) }
     }
 
     /// How many parameters the first rule of a label takes.
@@ -325,7 +368,12 @@ impl<'g> Checker<'g> {
             Expected::Thing => "a block or a primitive",
         };
         if is != expected {
-            self.error(span, format!("expected {wanted}, found {found}"), "here", None);
+            let hint = match expected {
+                Expected::Number => "write a number, a parameter or an expression such as `scope.sx / 2`",
+                Expected::Axis => "name the axis, as in `split(x){ ... }`",
+                Expected::Thing | Expected::Any => "name what is placed, as in `I(stone)`",
+            };
+            self.error(span, format!("expected {wanted}, found {found}"), "here", Some(hint.to_owned()));
         }
     }
 

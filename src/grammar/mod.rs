@@ -10,7 +10,7 @@ mod parse;
 mod print;
 
 pub use ast::Grammar;
-pub use check::{Checked, check, read};
+pub use check::{Checked, check, is_reserved, read};
 pub use diagnostic::{Diagnostic, Severity, Span};
 pub use names::{Name, Names, PRIMITIVES, is_primitive};
 pub use parse::parse;

@@ -62,11 +62,17 @@ pub fn is_primitive(name: &str) -> bool {
     PRIMITIVES.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()))
 }
 
+/// Nobody mistypes a longer name than this.
+const LONGEST_NAME: usize = 64;
+
 /// The candidate most like `name`, if one is near enough to be a slip of the pen.
 pub fn closest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let most = 1 + name.len() / 4;
+    // The longer of two names costs at least the difference: no need to compare them letter by letter.
     candidates
+        .filter(|candidate| name.len() <= LONGEST_NAME && name.len().abs_diff(candidate.len()) <= most)
         .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
-        .filter(|(distance, _)| *distance <= 1 + name.len() / 4)
+        .filter(|(distance, _)| *distance <= most)
         .min()
         .map(|(_, candidate)| candidate)
 }

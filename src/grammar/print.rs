@@ -18,6 +18,9 @@ impl Display for Grammar {
         if self.up == Up::Z {
             head += "up z\n";
         }
+        if let Some(version) = self.data_version {
+            head += &format!("data_version {version}\n");
+        }
         self.sizes.iter().for_each(|size| head += &format!("{size}\n"));
         self.constants.iter().for_each(|constant| head += &format!("{constant}\n"));
         if !head.is_empty() {

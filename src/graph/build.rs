@@ -77,6 +77,7 @@ impl Builder {
             graph: self.graph,
             root,
             up: Default::default(),
+            data_version: None,
             sizes: Vec::new(),
             constants: Vec::new(),
             preamble: Vec::new(),

@@ -39,20 +39,20 @@ fn id(node: NodeIndex) -> String {
 }
 
 fn draw_node(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params: &[String]) {
-    let mut label = op_text(graph, graph.op(node), params);
+    let mut label = escaped(&op_text(graph, graph.op(node), params));
     if let Some(name) = graph.name(node) {
         let args =
             if name.params.is_empty() { String::new() } else { format!("({})", name.params.join(", ")) };
-        label = format!("{}{args}\\n{label}", name.label);
+        label = format!("{}\\n{label}", escaped(&format!("{}{args}", name.label)));
     }
     let fill = fill_colour(graph, graph.op(node));
     let ink = if is_dark(fill) { "#ffffff" } else { "#222222" };
     let mut drawn = out.node_named(id(node));
-    drawn
-        .set("label", &label.replace('"', "\\\""), true)
-        .set("fillcolor", &hex(fill), true)
-        .set("fontcolor", ink, true)
-        .set("shape", if *graph.op(node) == Op::Choose { "ellipse" } else { "box" }, false);
+    drawn.set("label", &label, true).set("fillcolor", &hex(fill), true).set("fontcolor", ink, true).set(
+        "shape",
+        if *graph.op(node) == Op::Choose { "ellipse" } else { "box" },
+        false,
+    );
     if node == graph.root() {
         drawn.set_pen_width(2.5);
     }
@@ -69,7 +69,7 @@ fn draw_edges(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params:
         }
     }
     for (child, texts) in drawn {
-        let label = joined(&texts).replace('"', "\\\"");
+        let label = escaped(&joined(&texts));
         let mut edge = out.edge(id(node), id(child)).attributes();
         edge.set("label", &label, true);
         // Empty space is everywhere; its edges should not hide the others.
@@ -81,6 +81,11 @@ fn draw_edges(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params:
             );
         }
     }
+}
+
+/// A text as a quoted label has it.
+fn escaped(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('"', "\\\"")
 }
 
 /// The labels of parallel edges: equal ones with their number, many in short.

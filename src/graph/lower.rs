@@ -65,6 +65,7 @@ impl<'g> Lowering<'g> {
             graph: DiGraph::new(),
             root: NodeIndex::end(),
             up: grammar.up,
+            data_version: grammar.data_version,
             sizes: grammar
                 .sizes
                 .iter()

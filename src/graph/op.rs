@@ -112,6 +112,8 @@ pub struct OpGraph {
     pub(super) graph: DiGraph<Op, Arg>,
     pub(super) root: NodeIndex,
     pub up: Up,
+    /// The version of the game that the block states belong to.
+    pub data_version: Option<i32>,
     pub sizes: Vec<StartSize>,
     /// Values that are drawn once for a run, with their names.
     pub constants: Vec<(String, Expr)>,

@@ -5,7 +5,7 @@ use crate::grammar::Grammar;
 use crate::grammar::ast::{self, Constant, ExprKind, Ident, Item, Rule, StartSize, Successor};
 use petgraph::Direction;
 use petgraph::graph::NodeIndex;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::f64::consts::PI;
 
 /// The grammar of an op graph. Lowering it gives back an equal graph.
@@ -17,12 +17,13 @@ pub fn raise(graph: &OpGraph) -> Grammar {
     let mut grammar = Grammar {
         preamble: graph.preamble.clone(),
         up: graph.up,
+        data_version: graph.data_version,
         sizes: graph.sizes.iter().map(|size| raising.start_size(size)).collect(),
         constants: graph.constants.iter().map(|(name, value)| raising.constant(name, value)).collect(),
         rules: Vec::new(),
     };
     raising.label(graph.root, 0);
-    while let Some((node, arity)) = raising.open.pop() {
+    while let Some((node, arity)) = raising.open.pop_front() {
         grammar.rules.extend(raising.rules(node, arity));
     }
     grammar
@@ -34,14 +35,23 @@ struct Raising<'g> {
     open_params: Vec<bool>,
     labels: BTreeMap<(NodeIndex, usize), String>,
     taken: BTreeSet<String>,
-    open: Vec<(NodeIndex, usize)>,
+    /// By name, the number that the next label of that name tries first.
+    numbers: BTreeMap<String, u32>,
+    open: VecDeque<(NodeIndex, usize)>,
 }
 
 impl<'g> Raising<'g> {
     fn new(graph: &'g OpGraph) -> Raising<'g> {
         let taken = graph.constants.iter().map(|(name, _)| name.clone()).collect();
         let open_params = open_params(graph);
-        Raising { graph, open_params, labels: BTreeMap::new(), taken, open: Vec::new() }
+        Raising {
+            graph,
+            open_params,
+            labels: BTreeMap::new(),
+            taken,
+            numbers: BTreeMap::new(),
+            open: VecDeque::new(),
+        }
     }
 
     /// The label of a node that takes `arity` parameters; its rules follow.
@@ -50,13 +60,17 @@ impl<'g> Raising<'g> {
             return Ident::new(label.clone());
         }
         let base = self.graph.name(node).map_or("rule", |name| &name.label);
-        let numbered = (2..).map(|number| format!("{base}_{number}"));
-        let label =
-            std::iter::once(base.to_owned()).chain(numbered).find(|label| !self.taken.contains(label));
-        let label = label.unwrap_or_default();
+        let next = self.numbers.entry(base.to_owned()).or_insert(1);
+        let label = loop {
+            let label = if *next == 1 { base.to_owned() } else { format!("{base}_{next}") };
+            *next += 1;
+            if !self.taken.contains(&label) {
+                break label;
+            }
+        };
         self.taken.insert(label.clone());
         self.labels.insert((node, arity), label.clone());
-        self.open.insert(0, (node, arity));
+        self.open.push_back((node, arity));
         Ident::new(label)
     }
 

@@ -79,6 +79,7 @@ impl OpGraph {
             names: BTreeMap::new(),
             origins: BTreeMap::new(),
             up: self.up,
+            data_version: self.data_version,
             sizes: self.sizes.clone(),
             constants: self.constants.clone(),
             preamble: self.preamble.clone(),
@@ -118,7 +119,8 @@ impl PartialEq for OpGraph {
         let (a, b) = (self.unified(), other.unified());
         let constants =
             |graph: &OpGraph| graph.constants.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>();
-        (a.up, &a.sizes, constants(&a), a.len()) == (b.up, &b.sizes, constants(&b), b.len())
+        (a.up, a.data_version, &a.sizes, constants(&a), a.len())
+            == (b.up, b.data_version, &b.sizes, constants(&b), b.len())
             && a.nodes().all(|node| a.op(node) == b.op(node) && a.children(node).eq(b.children(node)))
     }
 }

@@ -17,6 +17,9 @@ use std::rc::Rc;
 /// Differences below this are noise of floating-point arithmetic.
 const NOISE: f64 = 1e-6;
 
+/// Scopes that wait for their operation, at the most: each takes memory.
+const MOST_OPEN: f64 = (1 << 22) as f64;
+
 /// A list that most often has few elements, which then need no memory of their own.
 type Few<T> = SmallVec<[T; 8]>;
 
@@ -275,7 +278,7 @@ impl<'g> Derivation<'_, '_, 'g> {
         let mut env = self.env(task);
         let (axis, size) = (env.axis(axis)?, env.number(size)?);
         match size > 0.0 {
-            true => Ok((axis, (f64::from(task.scope.len(axis)) / size - NOISE).ceil())),
+            true => Ok((axis, (f64::from(task.scope.len(axis)) / size - NOISE).ceil().max(1.0))),
             false => Err(Kind::Step { what: "size", value: size }),
         }
     }
@@ -306,6 +309,9 @@ impl<'g> Derivation<'_, '_, 'g> {
         }
         // Shares of no length are work as well.
         self.steps += (count - f64::from(total)).max(0.0) as u64;
+        if self.stack.len() as f64 + count.min(f64::from(total)) > MOST_OPEN {
+            return Err(Kind::TooWide(MOST_OPEN as u64));
+        }
         let first = self.stack.len();
         for (_, child) in graph.children(task.node) {
             for (number, (low, high)) in
@@ -352,13 +358,12 @@ impl<'g> Derivation<'_, '_, 'g> {
                 open.push((number, child));
             }
         }
-        let chosen = match open.as_slice() {
-            [] => return Err(Kind::NoRule { scope: Axis::ALL.map(|axis| task.scope.len(axis)).into() }),
-            [only] => *only,
-            _ => open[weighted(&weights, env.draw())?],
-        };
-        let scope = task.scope;
-        self.push(task.child(chosen.0, chosen.1, scope));
+        if open.is_empty() {
+            return Err(Kind::NoRule { scope: Axis::ALL.map(|axis| task.scope.len(axis)).into() });
+        }
+        let draw = if open.len() > 1 { env.draw() } else { 0.0 };
+        let (number, child) = open[weighted(&weights, draw)?];
+        self.push(task.child(number, child, task.scope));
         Ok(())
     }
 

@@ -26,6 +26,7 @@ pub enum Kind {
     OutsidePlot,
     TooDeep(u32),
     TooManySteps(u64),
+    TooWide(u64),
     NoThing(String),
     NoFile(String),
     NoRoomForDoor,
@@ -71,6 +72,7 @@ impl RunError {
                 "let the rule end: a condition, or a scope that shrinks with every step".to_owned()
             }
             Kind::TooManySteps(_) => "raise it with `--max-steps` if so much is meant".to_owned(),
+            Kind::TooWide(_) => "split the scope into a few parts first, and repeat inside them".to_owned(),
             Kind::OutsidePlot => {
                 "keep T and S inside the start scope, or cut off with `--overrun clip`".to_owned()
             }
@@ -113,6 +115,7 @@ impl fmt::Display for Kind {
             Kind::OutsidePlot => write!(f, "a scope leaves the start scope"),
             Kind::TooDeep(limit) => write!(f, "rules call one another more than {limit} deep"),
             Kind::TooManySteps(limit) => write!(f, "the derivation takes more than {limit} steps"),
+            Kind::TooWide(limit) => write!(f, "a repeat opens more than {limit} scopes at once"),
             Kind::NoThing(name) => write!(f, "there is no block or primitive `{name}`"),
             Kind::NoFile(name) => write!(f, "the file \"{name}\" was not loaded"),
             Kind::NoRoomForDoor => write!(f, "a door needs a scope two blocks high: it was left out"),

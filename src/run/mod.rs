@@ -74,6 +74,7 @@ pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made
     let mut grid = Grid::new(scope.bounds.size());
     let mut brushes = brush::Brushes::new(library);
     let warnings = derive(graph, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
+    grid.metadata.data_version = graph.data_version;
     Ok(Made { made: grid, warnings })
 }
 

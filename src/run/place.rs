@@ -14,12 +14,17 @@ impl Place {
     }
 
     pub fn child(self, number: usize) -> Place {
-        Place(mix(self.0 ^ mix(number as u64 + 1)))
+        self.step(number as u64 + 1)
+    }
+
+    fn step(self, bits: u64) -> Place {
+        Place(mix(self.0 ^ mix(bits)))
     }
 
     /// The place of something that has a name rather than a number.
     pub fn named(self, name: &str) -> Place {
-        name.bytes().fold(self.child(usize::MAX - 1), |place, byte| place.child(usize::from(byte)))
+        // No child has this number, so that no name is a path.
+        name.bytes().fold(self.step(u64::MAX), |place, byte| place.child(usize::from(byte)))
     }
 
     pub fn stream(self) -> Pcg64Mcg {

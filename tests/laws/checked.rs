@@ -3,6 +3,7 @@
 use proptest::collection::vec;
 use proptest::option::of;
 use proptest::prelude::*;
+use proptest::sample;
 use vox::grammar::ast::*;
 use vox::grammar::{Severity, check};
 use vox::space::{Axis, Up};
@@ -60,6 +61,7 @@ fn grammar((labels, up): (Labels, Up)) -> impl Strategy<Value = Grammar> {
     (constants(), sizes, rules).prop_map(move |(constants, sizes, rules)| Grammar {
         preamble: Vec::new(),
         up,
+        data_version: None,
         sizes,
         constants,
         rules: rules.concat(),
@@ -109,7 +111,11 @@ fn rule(at: usize, scope: Scope) -> impl Strategy<Value = Rule> {
 }
 
 fn successor(scope: Scope) -> BoxedStrategy<Successor> {
-    let primitive = (thing(&scope), of(thing(&scope)));
+    let shape = prop_oneof![Just("rect"), Just("gable"), Just("window2")];
+    let primitive = prop_oneof![
+        thing(&scope).prop_map(|name| (name, None)),
+        (shape, thing(&scope)).prop_map(|(shape, material)| (Expr::name(shape), Some(material))),
+    ];
     let leaf = prop_oneof![
         1 => Just(Op::Nil),
         3 => primitive.prop_map(|(name, material)| Op::Primitive { name, material }),
@@ -127,8 +133,11 @@ fn successor(scope: Scope) -> BoxedStrategy<Successor> {
             (sizes(), body()).prop_map(|(delta, body)| Op::Translate { delta, body }),
             (sizes(), body()).prop_map(|(size, body)| Op::Resize { size, body }),
             (Just(up), number(), body()).prop_map(|(axis, angle, body)| Op::Rotate { axis, angle, body }),
-            vec(((0..8usize).prop_map(|at| Face::NAMES[at].1), inner.clone()), 1..4)
-                .prop_map(|parts| Op::Comp { parts }),
+            (sample::subsequence(Face::NAMES.to_vec(), 1..4), vec(inner.clone(), 4)).prop_map(
+                |(faces, bodies)| {
+                    Op::Comp { parts: faces.into_iter().map(|(_, face)| face).zip(bodies).collect() }
+                }
+            ),
         ]
         .prop_map(Successor::new)
     };

@@ -37,10 +37,12 @@ const WORDS: [&str; 16] = [
 
 pub fn grammars() -> impl Strategy<Value = Grammar> {
     let up = prop_oneof![Just(Up::Y), Just(Up::Z)];
-    let head = (comments(), up, vec(start_size(), 0..3), vec(constant(), 0..4));
-    (head, vec(rule(), 1..6)).prop_map(|((preamble, up, sizes, constants), rules)| Grammar {
+    let version = prop::option::of(0..5000i32);
+    let head = (comments(), up, version, vec(start_size(), 0..3), vec(constant(), 0..4));
+    (head, vec(rule(), 1..6)).prop_map(|((preamble, up, data_version, sizes, constants), rules)| Grammar {
         preamble,
         up,
+        data_version,
         sizes,
         constants,
         rules,

@@ -11,8 +11,7 @@ impl Parser<'_> {
     /// An expression where a block with a namespace may stand as well.
     pub(super) fn argument(&mut self) -> Parse<Expr> {
         let name = self.peek();
-        let is_word = matches!(name.kind, Kind::Ident | Kind::Number);
-        match is_word && has_namespace(&self.text[name.span.start..]) {
+        match name.kind != Kind::Text && has_namespace(&self.text[name.span.start..]) {
             true => self.block(name),
             false => self.expr(),
         }

@@ -16,6 +16,9 @@ impl Parser<'_> {
         if self.is_word("up") && second.kind == Kind::Ident {
             return self.up(grammar);
         }
+        if self.is_word("data_version") && second.kind == Kind::Number {
+            return self.data_version(grammar);
+        }
         if self.is_word("size") && matches!(second.kind, Kind::Symbol("(")) {
             grammar.sizes.push(self.start_size(comments)?);
             return Ok(());
@@ -42,6 +45,19 @@ impl Parser<'_> {
             }
         };
         Ok(())
+    }
+
+    pub(super) fn data_version(&mut self, grammar: &mut Grammar) -> Parse<()> {
+        self.next();
+        let number = self.next();
+        grammar.data_version = self.word(number).parse().ok();
+        match grammar.data_version {
+            Some(_) => Ok(()),
+            None => {
+                let error = Diagnostic::error(number.span, "this is no data version of the game");
+                Err(Box::new(error.hint("it is a whole number, as in `data_version 3465` for 1.20.1")))
+            }
+        }
     }
 
     pub(super) fn start_size(&mut self, comments: Vec<String>) -> Parse<StartSize> {
