@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 use vox::block::BlockState;
 use vox::grammar::check;
-use vox::graph::{OpGraph, lower, raise};
+use vox::graph::{OpGraph, dot, lower, raise};
 use vox::grid::{Grid, LabelledBox, LabelledBoxes};
 use vox::infer::{Derivable, Example, InferError, Labels, derivable, infer};
 use vox::io::{self, Content, Limits};
@@ -155,6 +155,22 @@ fn what_every_example_has_once_every_sample_has_once() {
     }
 }
 
+#[test]
+fn dense_graphs_are_drawn_as_tables_of_coloured_cells() {
+    let storeys: String =
+        (1..80).map(|width| format!("1 : split(x){{ {width} : I(stone) | ~1 : nil }} | ")).collect();
+    let graph = graph_of(&format!("h --> split(y){{ {storeys}~1 : I(glass) }}"));
+    let drawn = dot(&graph);
+    assert!(drawn.contains("<BR/>stone</FONT></TD>"), "{drawn}");
+    assert_eq!(drawn.matches("->").count(), 79, "only what is no terminal has an edge");
+}
+
+#[test]
+fn texts_are_quoted_in_drawings() {
+    let drawn = dot(&graph_of(r#"h --> I("foo\")"#));
+    assert!(drawn.contains(r#"label="h\n\"foo\\\"""#), "{drawn}");
+}
+
 /// The labelled boxes of a grammar's first runs, as an example each.
 fn runs(graph: &OpGraph, size: [i32; 3], count: u64) -> Vec<Example> {
     (0..count)
@@ -223,6 +239,27 @@ fn many_exchangeable_examples_are_learnt_at_once() {
     let examples: Vec<Example> = (0..80).map(|seed| Example::Blocks(sample(&graph, seed))).collect();
     let (_, graph) = learnt(&examples);
     assert!(examples.iter().all(|example| derivable(&graph, &Labels::new(), example) == Derivable::Yes));
+}
+
+/// Seed 1, sections 12.2 and 12.3, and its better roofs: the rules stay about as many as they were found to be.
+#[test]
+fn the_other_families_of_the_thesis_are_recovered() {
+    let families = [
+        ("better-roofs", [40, 30, 30], 10, 25),
+        ("modern-house", [40, 30, 30], 10, 45),
+        ("skyscraper-city", [128, 128, 64], 3, 800),
+    ];
+    for (name, size, count, most) in families {
+        let text =
+            fs::read_to_string(format!("{}/tests/seed1/{name}.grammar", env!("CARGO_MANIFEST_DIR"))).unwrap();
+        let examples = runs(&graph_of(&text), size, count);
+        let (text, graph) = learnt(&examples);
+        for example in &examples {
+            assert_eq!(derivable(&graph, &Labels::new(), example), Derivable::Yes, "{name}");
+        }
+        let rules = text.lines().filter(|line| line.contains("-->")).count();
+        assert!(rules <= most, "{name}: {rules} rules");
+    }
 }
 
 #[test]

@@ -1,19 +1,30 @@
 //! The op graph as a Graphviz diagram, for people.
 
+mod table;
+
 use super::raise::raise_expr;
 use super::{Arg, Expr, Op, OpGraph, Size, Thing};
 use crate::block::{self, BlockState};
 use crate::grammar::ast::SizeKind;
 use dot_writer::{Attributes, DotWriter, Scope};
 use petgraph::graph::NodeIndex;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The graph in the dot language: the operation and its parameters in each node, under the rule's name;
 /// sizes, faces and weights on the edges; terminals in the colour of their block. Equal operations are
 /// one node, and edges between the same two nodes are drawn as one.
+///
+/// A graph of more than [`CROWDED`] operations shows a split as a row of cells with their sizes, or a pile of
+/// them where it splits the vertical: terminals as coloured cells, everything else as an edge from its cell.
+/// Drawn apart, a hundred splits that share a dozen blocks are a tangle that nobody reads.
 pub fn dot(graph: &OpGraph) -> String {
     let graph = graph.unified();
     let params = params_in_scope(&graph);
+    let is_table: Vec<bool> = graph
+        .nodes()
+        .map(|node| graph.len() > CROWDED && matches!(graph.op(node), Op::Split { .. }))
+        .collect();
+    let drawn = drawn_nodes(&graph, &is_table);
     let mut bytes = Vec::new();
     {
         let mut writer = DotWriter::from(&mut bytes);
@@ -26,12 +37,36 @@ pub fn dot(graph: &OpGraph) -> String {
             true,
         );
         digraph.edge_attributes().set_font("Helvetica").set_font_size(9.0).set("color", "#777777", true);
-        for node in graph.nodes() {
-            draw_node(&mut digraph, &graph, node, &params[node.index()]);
-            draw_edges(&mut digraph, &graph, node, &params[node.index()]);
+        for node in drawn {
+            let params = &params[node.index()];
+            if is_table[node.index()] {
+                table::draw(&mut digraph, &graph, node, params);
+            } else {
+                draw_node(&mut digraph, &graph, node, params);
+                draw_edges(&mut digraph, &graph, node, params);
+            }
         }
     }
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// Graphs with more operations than this are drawn densely.
+pub const CROWDED: usize = 60;
+
+fn is_terminal(graph: &OpGraph, node: NodeIndex) -> bool {
+    matches!(graph.op(node), Op::Primitive { .. } | Op::Nil)
+}
+
+/// The nodes that are drawn: all but the terminals that only stand in tables.
+fn drawn_nodes(graph: &OpGraph, is_table: &[bool]) -> BTreeSet<NodeIndex> {
+    let mut drawn = BTreeSet::from([graph.root()]);
+    let mut open = vec![graph.root()];
+    while let Some(node) = open.pop() {
+        let children = graph.children(node).map(|(_, child)| child);
+        let shown = children.filter(|child| !is_table[node.index()] || !is_terminal(graph, *child));
+        open.extend(shown.filter(|child| drawn.insert(*child)));
+    }
+    drawn
 }
 
 fn id(node: NodeIndex) -> String {
