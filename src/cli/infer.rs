@@ -150,10 +150,7 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
     report::note(&format!("{examples} of {examples} examples reproduced, by {rules}"));
     report::note(&match ways > examples as f64 {
         true => format!("there are {} through the rules", count(ways, "way")),
-        false => {
-            "the rules make only the examples again: where several have one size, their parts can be mixed"
-                .to_owned()
-        }
+        false => "the rules make only the examples again: no part could be exchanged between them".to_owned(),
     });
     Ok(())
 }
