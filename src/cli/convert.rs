@@ -24,7 +24,7 @@ pub struct Args {
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
     let kind = args.writing.kind(&args.output)?;
-    let reading = Reading { scale: args.scale, ..Reading::default() };
+    let reading = Reading { scale: args.scale.unwrap_or_default(), ..Reading::default() };
     let outputs = match input::content(&args.input, &reading)? {
         Content::Grid(grid) => args.writing.grid(&args.output, &grid)?,
         Content::Boxes(boxes) if kind == Kind::Obj => output::boxes(&args.output, &boxes.boxes),

@@ -25,7 +25,7 @@ pub struct Args {
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    let reading = Reading { scale: args.scale, ..Reading::default() };
+    let reading = Reading { scale: args.scale.unwrap_or_default(), ..Reading::default() };
     for path in input::paths(&args.files)? {
         let name = input::name(&path);
         match (input::content(&path, &reading)?, args.json) {

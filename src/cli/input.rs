@@ -1,13 +1,12 @@
 //! Reading what the command line names: files, patterns and standard input.
 
-use super::failure::{Failure, io_text};
+use super::failure::Failure;
 use super::report::{self, Source};
 use crate::grammar::{self, Checked, Severity};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
-use crate::io::{self, Content, Format, Limits, Scale};
+use crate::io::{self, Content, Limits, ReadError, Scale};
 use crate::run::{Library, RunError};
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The files that the arguments name: a pattern that the shell left alone is looked up here.
@@ -59,8 +58,8 @@ pub fn is_stdio(path: &Path) -> bool {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Reading {
     pub limits: Limits,
-    /// Of labelled boxes; whole units where none is given.
-    pub scale: Option<Scale>,
+    /// Of labelled boxes.
+    pub scale: Scale,
 }
 
 /// A scale on the command line.
@@ -73,13 +72,8 @@ pub fn scale(text: &str) -> Result<Scale, String> {
 pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
     let name = name(path);
     let bytes = bytes(path, reading.limits.max_bytes)?;
-    if let Some(scale) = reading.scale
-        && io::sniff(&bytes, &reading.limits).is_ok_and(|format| format == Format::Obj)
-    {
-        let boxes = io::decode_obj_boxes(&bytes, scale).map_err(|error| Failure::of_file(&name, error))?;
-        return Ok(Content::Boxes(boxes));
-    }
-    let decoded = io::decode(&bytes, &reading.limits).map_err(|error| Failure::read(&name, &error))?;
+    let decoded = io::decode_scaled(&bytes, &reading.limits, reading.scale)
+        .map_err(|error| Failure::read(&name, &error))?;
     decoded.warnings.iter().for_each(|warning| report::warning(&format!("{name}: {warning}")));
     Ok(decoded.content)
 }
@@ -96,18 +90,13 @@ pub fn grid(path: &Path, reading: &Reading) -> Result<Grid, Failure> {
 }
 
 fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
     let read = match is_stdio(path) {
-        true => std::io::stdin().take(most + 1).read_to_end(&mut bytes),
-        false => std::fs::File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes)),
-    };
-    read.map_err(|error| Failure::of_file(&name(path), io_text(&error)))?;
-    match bytes.len() as u64 > most {
-        true => {
-            Err(Failure::of_file(&name(path), format!("the file is larger than {most} bytes, the limit")))
+        true => io::read_bytes(std::io::stdin(), most),
+        false => {
+            std::fs::File::open(path).map_err(ReadError::from).and_then(|file| io::read_bytes(file, most))
         }
-        false => Ok(bytes),
-    }
+    };
+    read.map_err(|error| Failure::read(&name(path), &error))
 }
 
 /// The text of a grammar file, with its name.

@@ -1,3 +1,4 @@
+use crate::block::{self, BlockState, Family};
 use crate::grammar::ast::{BinaryOp, Function, UnaryOp};
 use crate::space::Axis;
 use std::hash::{Hash, Hasher};
@@ -34,6 +35,18 @@ impl Thing {
     pub fn text(&self) -> &str {
         match self {
             Thing::Name(text) | Thing::Block(text) | Thing::File(text) => text,
+        }
+    }
+
+    /// The block that it is, with all its properties; of a family, its full block.
+    pub fn block(&self) -> Option<BlockState> {
+        match self {
+            Thing::Name(name) => {
+                let known = block::known(name).map(|known| known.default_state());
+                known.or_else(|| Family::of(name).map(|family| family.full))
+            }
+            Thing::Block(text) => text.parse().ok().map(|state| block::complete(&state)),
+            Thing::File(_) => None,
         }
     }
 }

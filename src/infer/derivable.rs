@@ -83,30 +83,30 @@ impl<'e> Target<'e> {
     }
 
     /// Whether `scope` holds exactly the primitive of that name.
-    fn is_primitive(&self, name: &str, labels: &Labels, scope: &Scope) -> bool {
-        match self {
-            Target::Blocks { grid, states } => block_of(name).is_some_and(|wanted| {
+    fn is_primitive(&self, graph: &OpGraph, labels: &Labels, name: &Expr, scope: &Scope) -> bool {
+        match (self, name) {
+            (Target::Blocks { grid, states }, Expr::Thing(thing)) => thing.block().is_some_and(|wanted| {
                 let wanted = wanted.turned(scope.frame.turn);
                 scope.bounds.cells().all(|cell| states[usize::from(grid.id(cell))] == wanted)
             }),
-            Target::Boxes(boxes) => boxes.labels.get(&scope.bounds).is_some_and(|label| {
+            (Target::Blocks { .. }, _) => false,
+            (Target::Boxes(boxes), name) => boxes.labels.get(&scope.bounds).is_some_and(|label| {
                 let (label, turn) = turned_label(label);
-                let wanted = labels.get(name).map_or(name, String::as_str);
-                label == wanted && Turn::quarters(i32::from(turn)) == scope.frame.turn
+                Some(label) == label_of(graph, labels, name)
+                    && Turn::quarters(i32::from(turn)) == scope.frame.turn
             }),
         }
     }
 }
 
-fn block_of(name: &str) -> Option<BlockState> {
-    name.parse().ok().map(|state| block::complete(&state))
-}
-
-/// The name of a primitive, or of the constant that says what it is.
-fn name_of<'g>(graph: &'g OpGraph, name: &'g Expr) -> Option<&'g str> {
+/// The label that a primitive stands for.
+fn label_of<'g>(graph: &'g OpGraph, labels: &'g Labels, name: &'g Expr) -> Option<&'g str> {
     match name {
         Expr::Thing(thing) => Some(thing.text()),
-        Expr::Constant(at) => graph.constants.get(*at).map(|(name, _)| name.as_str()),
+        Expr::Constant(at) => {
+            let (name, _) = graph.constants.get(*at)?;
+            Some(labels.get(name).unwrap_or(name))
+        }
         _ => None,
     }
 }
@@ -142,7 +142,7 @@ impl<'g> Search<'g, '_> {
         match graph.op(node) {
             Op::Nil => self.target.is_empty(scope.bounds),
             Op::Primitive { name, material: None } => {
-                name_of(graph, name).is_some_and(|name| self.target.is_primitive(name, self.labels, &scope))
+                self.target.is_primitive(graph, self.labels, name, &scope)
             }
             Op::Choose => children.any(|(arg, child)| match arg {
                 Arg::Alternative(alternative) => {

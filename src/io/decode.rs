@@ -17,9 +17,13 @@ pub struct Decoded {
     pub warnings: Vec<Warning>,
 }
 
-/// The content of a file, by what its bytes say it is. OBJ coordinates count in blocks; see
-/// [`decode_obj_boxes`](super::decode_obj_boxes) for other scales.
+/// The content of a file, by what its bytes say it is. OBJ coordinates count in blocks.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
+    decode_scaled(bytes, limits, Scale::default())
+}
+
+/// As [`decode`], where OBJ coordinates count in units of `scale`.
+pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Decoded, ReadError> {
     let plain = gzip::unpack(bytes, limits.max_bytes)?;
     match parse(&plain, limits)? {
         Parsed::Tags(Format::Schem, root) => {
@@ -27,7 +31,7 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
             Ok(Decoded { content: Content::Grid(grid), warnings })
         }
         Parsed::Bytes(Format::Obj) => {
-            let boxes = obj::decode_obj_boxes(&plain, Scale::default())?;
+            let boxes = obj::decode_obj_boxes(&plain, scale)?;
             Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
         }
         Parsed::Tags(format, _) | Parsed::Bytes(format) => Err(ReadError::Unreadable(format)),

@@ -6,11 +6,16 @@ use tempfile::{Builder, NamedTempFile};
 
 /// The content of the file at `path`, by what its bytes say it is.
 pub fn read(path: &Path, limits: &Limits) -> Result<Decoded, ReadError> {
+    decode(&read_bytes(File::open(path)?, limits.max_bytes)?, limits)
+}
+
+/// All bytes of `input`, which are not more than `most`.
+pub fn read_bytes(input: impl Read, most: u64) -> Result<Vec<u8>, ReadError> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(limits.max_bytes.saturating_add(1)).read_to_end(&mut bytes)?;
-    match bytes.len() as u64 > limits.max_bytes {
-        true => Err(ReadError::LargeFile(limits.max_bytes)),
-        false => decode(&bytes, limits),
+    input.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 > most {
+        true => Err(ReadError::LargeFile(most)),
+        false => Ok(bytes),
     }
 }
 

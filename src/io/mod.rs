@@ -19,9 +19,9 @@ mod schem;
 mod varint;
 mod warning;
 
-pub use decode::{Content, Decoded, decode, sniff};
+pub use decode::{Content, Decoded, decode, decode_scaled, sniff};
 pub use error::{ReadError, WriteError};
-pub use file::{Staged, read, write_atomic};
+pub use file::{Staged, read, read_bytes, write_atomic};
 pub use format::Format;
 pub use gzip::GzipError;
 pub use limits::Limits;

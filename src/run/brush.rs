@@ -102,29 +102,19 @@ fn shape_brush<'l>(name: &str, material: Option<&Thing>) -> Result<Brush<'l>, Ki
         "door" => return door_of(material).map(Brush::Door),
         plain => {
             let fallback = if plain == "window" { "glass" } else { "stone_bricks" };
-            let made_of = material.map_or_else(|| named_block(fallback), block_of);
+            let fallback = Thing::Name(fallback.to_owned());
+            let made_of = block_of(material.unwrap_or(&fallback));
             return made_of.map(Brush::Fill);
         }
     };
     family_of(material, "dark_oak").map(|family| Brush::Solid(slope, Box::new(family)))
 }
 
-/// The block of a thing, with all its properties; of a family, its full block.
 fn block_of(thing: &Thing) -> Result<BlockState, Kind> {
-    match thing {
-        Thing::Name(name) => named_block(name),
-        Thing::Block(text) => {
-            let state = text.parse::<BlockState>().map_err(|_| Kind::NoThing(text.clone()))?;
-            Ok(block::complete(&state))
-        }
-        Thing::File(file) => Err(Kind::NoFile(file.clone())),
-    }
-}
-
-fn named_block(name: &str) -> Result<BlockState, Kind> {
-    let known = block::known(name).map(|known| known.default_state());
-    let full = || Family::of(name).map(|family| family.full);
-    known.or_else(full).ok_or_else(|| Kind::NoThing(name.to_owned()))
+    thing.block().ok_or_else(|| match thing {
+        Thing::Name(name) | Thing::Block(name) => Kind::NoThing(name.clone()),
+        Thing::File(file) => Kind::NoFile(file.clone()),
+    })
 }
 
 fn family_of(material: Option<&Thing>, fallback: &str) -> Result<Family, Kind> {

@@ -3,7 +3,7 @@
 mod table;
 
 use super::raise::raise_expr;
-use super::{Arg, Expr, Op, OpGraph, Size, Thing};
+use super::{Arg, Expr, Op, OpGraph, Size};
 use crate::block::{self, BlockState};
 use crate::grammar::ast::SizeKind;
 use dot_writer::{Attributes, DotWriter, Scope};
@@ -260,11 +260,7 @@ fn fill_colour(graph: &OpGraph, op: &Op) -> Rgb {
 fn block_of(graph: &OpGraph, expr: &Expr) -> Option<BlockState> {
     match expr {
         Expr::Constant(at) => block_of(graph, &graph.constants.get(*at)?.1),
-        Expr::Thing(Thing::Block(text)) => text.parse().ok(),
-        Expr::Thing(Thing::Name(name)) => {
-            let known = block::known(name).map(|known| known.default_state());
-            known.or_else(|| block::Family::of(name).map(|family| family.full))
-        }
+        Expr::Thing(thing) => thing.block(),
         _ => None,
     }
 }
