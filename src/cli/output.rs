@@ -5,7 +5,7 @@ use super::input::is_stdio;
 use super::report;
 use crate::block;
 use crate::grid::{Grid, LabelledBox};
-use crate::io::{self, SchemVersion, Staged};
+use crate::io::{self, Lost, SchemVersion, Staged};
 use crate::view;
 use clap::ValueEnum;
 use std::io::Write;
@@ -66,17 +66,22 @@ impl Writing {
         let name = path.display().to_string();
         match self.kind(path)? {
             Kind::Schem => {
-                for lost in io::lost_in_schem(grid, self.schem_version) {
-                    report::warning(&format!(
-                        "{name}: {lost} have no place in this version and are left out"
-                    ));
-                }
-                let bytes = io::encode_schem(grid, self.schem_version);
-                Ok(vec![Output::new(path, bytes.map_err(|error| Failure::write(&name, &error))?)])
+                let encoded = io::encode_schem(grid, self.schem_version);
+                let encoded = encoded.map_err(|error| Failure::write(&name, &error))?;
+                tell_lost(&name, &encoded.lost);
+                Ok(vec![Output::new(path, encoded.bytes)])
             }
             Kind::Obj => Ok(mesh(path, grid)),
             Kind::Png => picture(path, &view::isometric(grid, &view::ViewOptions::default())),
         }
+    }
+}
+
+/// Tells in one line what a file has no place for.
+fn tell_lost(name: &str, lost: &[Lost]) {
+    let lost: Vec<String> = lost.iter().map(Lost::to_string).collect();
+    if !lost.is_empty() {
+        report::warning(&format!("{name}: this kind of file has no place for {}", lost.join(", ")));
     }
 }
 

@@ -1,5 +1,6 @@
 use crate::nbt::Compound;
-use crate::space::Cell;
+use crate::space::{Bounds, Cell};
+use ndarray::{Array2, Array3};
 
 /// What a schematic file says of itself beside its blocks.
 #[derive(Clone, Default, PartialEq, Debug)]
@@ -8,10 +9,44 @@ pub struct Metadata {
     pub data_version: Option<i32>,
     /// Where the low corner lies from the point of copying.
     pub offset: Cell,
-    /// The file's own metadata (name, author, date), as found.
+    /// The file's own metadata as found. `Name`, `Author`, `Description` and `Date` mean the same in all formats.
     pub tags: Compound,
+    /// What only the format that the file came in has a place for.
+    pub own: Option<Own>,
     pub entities: Vec<Entity>,
     pub biomes: Option<Biomes>,
+    /// The named parts that a file came in, within the grid; empty where it is one whole.
+    pub regions: Vec<Region>,
+}
+
+/// Tags beyond those that vox knows, kept for files of the same format.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Own {
+    pub dialect: Dialect,
+    /// Beside the format's known tags, at the root of the file.
+    pub tags: Compound,
+}
+
+/// Whose tags these are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Dialect {
+    Sponge,
+    Litematica,
+    Structure,
+    Mcedit,
+    Blueprint,
+    Bedrock,
+    Anvil,
+}
+
+/// A named part of a build.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Region {
+    pub name: String,
+    /// Within the grid.
+    pub bounds: Bounds,
+    /// Beyond those that vox knows.
+    pub tags: Compound,
 }
 
 /// An animal, a painting, an item frame.
@@ -23,19 +58,19 @@ pub struct Entity {
     pub data: Compound,
 }
 
-/// The biomes of a file, kept as found: they mean nothing to vox and fit only the size they came with.
-#[derive(Clone, PartialEq, Debug)]
+/// The biomes of a grid, by numbers of their names.
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Biomes {
-    pub extent: BiomeExtent,
-    /// Numbers by biome name.
-    pub palette: Compound,
-    /// Varints of those numbers.
-    pub data: Vec<i8>,
+    /// Each once, in order of first use.
+    pub names: Vec<String>,
+    pub map: BiomeMap,
 }
 
-/// What one biome entry stands for.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BiomeExtent {
-    Column,
-    Cell,
+/// Where each biome is. The size is that of the grid.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum BiomeMap {
+    /// One for every column, indexed `[z, x]`.
+    Columns(Array2<u16>),
+    /// One for every cell, indexed `[y, z, x]`.
+    Cells(Array3<u16>),
 }

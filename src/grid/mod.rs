@@ -11,7 +11,7 @@ use ndarray::Array3;
 use std::collections::BTreeMap;
 
 pub use labelled::{LabelledBox, LabelledBoxes};
-pub use metadata::{BiomeExtent, Biomes, Entity, Metadata};
+pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region};
 
 /// A box of blocks. Every cell holds a number of the palette; 0 is air.
 #[derive(Clone, Debug)]
@@ -23,6 +23,8 @@ pub struct Grid {
     /// and without their place.
     pub block_entities: BTreeMap<[i32; 3], Compound>,
     pub metadata: Metadata,
+    /// What may stand in the same place instead, of the same size: structures of the game have such.
+    pub variants: Vec<Grid>,
 }
 
 impl Grid {
@@ -34,6 +36,7 @@ impl Grid {
             palette: Palette::default(),
             block_entities: BTreeMap::new(),
             metadata: Metadata::default(),
+            variants: Vec::new(),
         }
     }
 
@@ -46,6 +49,7 @@ impl Grid {
             palette,
             block_entities: BTreeMap::new(),
             metadata: Metadata::default(),
+            variants: Vec::new(),
         })
     }
 
@@ -102,6 +106,21 @@ impl Grid {
         }
     }
 
+    /// Replaces every block state by what `change` makes of it, here and in the variants.
+    pub fn map_states(&mut self, change: impl Fn(&BlockState) -> BlockState) -> Result<(), PaletteFull> {
+        self.variants.iter_mut().try_for_each(|variant| variant.map_own_states(&change))?;
+        self.map_own_states(&change)
+    }
+
+    fn map_own_states(&mut self, change: &impl Fn(&BlockState) -> BlockState) -> Result<(), PaletteFull> {
+        let mut palette = Palette::default();
+        let changed = self.palette.states().iter().map(|state| palette.intern(&change(state)));
+        let ids = changed.collect::<Result<Vec<u16>, PaletteFull>>()?;
+        self.cells.mapv_inplace(|id| ids[usize::from(id)]);
+        self.palette = palette;
+        Ok(())
+    }
+
     /// Whether both hold the same block state in every cell, whatever their palettes' order.
     pub fn same_blocks(&self, other: &Grid) -> bool {
         let translated: Vec<Option<u16>> =
@@ -118,4 +137,23 @@ fn index3(cell: Cell) -> [usize; 3] {
 fn index(cell: Cell) -> [usize; 3] {
     let [x, y, z] = index3(cell);
     [y, z, x]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn states_that_become_equal_are_one_in_the_palette() {
+        let state = |text: &str| text.parse::<BlockState>().unwrap();
+        let mut grid = Grid::new(Cell::new(3, 1, 1));
+        for (x, text) in [(1, "stone"), (2, "dirt")] {
+            let id = grid.intern(&state(text)).unwrap();
+            grid.set(Cell::new(x, 0, 0), id);
+        }
+        grid.map_states(|old| if old.is_air() { state("glass") } else { state("stone") }).unwrap();
+        let found: Vec<String> = grid.bounds().cells().map(|cell| grid.get(cell).short()).collect();
+        assert_eq!(found, ["glass", "stone", "stone"]);
+        assert_eq!(grid.palette().states().len(), 3, "air, glass and stone");
+    }
 }

@@ -8,24 +8,28 @@
 //! What a file is, its content says: names and extensions are never asked.
 
 mod decode;
+mod encoded;
 mod error;
 mod fields;
 mod file;
 mod format;
 mod gzip;
 mod limits;
+mod lost;
 mod obj;
 mod schem;
 mod varint;
 mod warning;
 
 pub use decode::{Content, Decoded, decode, decode_scaled, sniff};
+pub use encoded::Encoded;
 pub use error::{ReadError, WriteError};
 pub use file::{Staged, read, read_bytes, write_atomic};
 pub use format::Format;
 pub use gzip::GzipError;
 pub use limits::Limits;
+pub use lost::Lost;
 pub use obj::{ObjError, ObjMesh, ObjProblem, Scale, decode_obj_boxes, encode_obj_boxes, encode_obj_mesh};
-pub use schem::{DEFAULT_DATA_VERSION, SchemVersion, encode_schem, lost_in_schem};
+pub use schem::{DEFAULT_DATA_VERSION, SchemVersion, encode_schem};
 pub use varint::VarintProblem;
 pub use warning::Warning;

@@ -1,14 +1,18 @@
 use super::{read, read_grid, tags};
-use ndarray::Array3;
+use ndarray::{Array2, Array3};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
 use vox::block::{BlockState, Palette};
-use vox::grid::{BiomeExtent, Biomes, Entity, Grid, Metadata};
-use vox::io::{DEFAULT_DATA_VERSION, Limits, SchemVersion, WriteError, decode, encode_schem, lost_in_schem};
+use vox::grid::{BiomeMap, Biomes, Entity, Grid, Metadata};
+use vox::io::{DEFAULT_DATA_VERSION, Limits, Lost, SchemVersion, WriteError, decode, encode_schem};
 use vox::nbt::Tag;
 use vox::space::Cell;
 
 const VERSIONS: [SchemVersion; 2] = [SchemVersion::V2, SchemVersion::V3];
+
+fn schem(grid: &Grid, version: SchemVersion) -> Vec<u8> {
+    encode_schem(grid, version).unwrap().bytes
+}
 
 fn states(count: usize) -> Palette {
     let mut palette = Palette::default();
@@ -38,7 +42,7 @@ fn metadata() -> impl Strategy<Value = Metadata> {
                 .into_iter()
                 .map(|(place, id)| Entity { place, data: tags([("id", Tag::String(id))]) })
                 .collect(),
-            biomes: None,
+            ..Metadata::default()
         },
     )
 }
@@ -77,9 +81,9 @@ proptest! {
     #[test]
     fn what_is_written_is_read(grid in grid()) {
         for version in VERSIONS {
-            let decoded = read(&encode_schem(&grid, version).unwrap()).unwrap();
+            let decoded = read(&schem(&grid, version)).unwrap();
             prop_assert_eq!(&decoded.warnings, &[]);
-            let back = read_grid(&encode_schem(&grid, version).unwrap());
+            let back = read_grid(&schem(&grid, version));
             prop_assert!(back.same_blocks(&grid));
             prop_assert_eq!(&back.block_entities, &grid.block_entities);
             prop_assert!(near(&back.metadata.entities, &grid.metadata.entities));
@@ -91,16 +95,16 @@ proptest! {
     #[test]
     fn writing_again_gives_the_same_bytes(grid in grid()) {
         for version in VERSIONS {
-            let bytes = encode_schem(&grid, version).unwrap();
+            let bytes = schem(&grid, version);
             let mut back = read_grid(&bytes);
             back.metadata.entities = grid.metadata.entities.clone();
-            prop_assert_eq!(encode_schem(&back, version).unwrap(), bytes);
+            prop_assert_eq!(schem(&back, version), bytes);
         }
     }
 
     #[test]
     fn damaged_files_are_read_or_refused(grid in grid(), at: prop::sample::Index, byte: u8) {
-        let packed = encode_schem(&grid, SchemVersion::V2).unwrap();
+        let packed = schem(&grid, SchemVersion::V2);
         let mut plain = Vec::new();
         std::io::Read::read_to_end(&mut flate2::read::GzDecoder::new(&packed[..]), &mut plain).unwrap();
         let at = at.index(plain.len());
@@ -114,7 +118,7 @@ fn palettes_of_every_varint_length() {
     for count in [1, 2, 127, 128, 129, 255, 256, 16_383, 16_384, 16_385, 65_536] {
         let grid = varied(Cell::new(64, 17, 64), count);
         for version in VERSIONS {
-            let back = read_grid(&encode_schem(&grid, version).unwrap());
+            let back = read_grid(&schem(&grid, version));
             assert!(back.same_blocks(&grid), "{count} states");
             // Air stands in every palette, used or not.
             assert_eq!(back.palette().states().len(), count, "{count} states");
@@ -133,7 +137,7 @@ fn order_and_waste_of_the_palette_do_not_show() {
     let id = wasteful.intern(&stone).unwrap();
     wasteful.set(Cell::ZERO, id);
     for version in VERSIONS {
-        assert_eq!(encode_schem(&plain, version).unwrap(), encode_schem(&wasteful, version).unwrap());
+        assert_eq!(schem(&plain, version), schem(&wasteful, version));
     }
 }
 
@@ -144,44 +148,52 @@ fn cells_in_any_memory_order_are_written_alike() {
     turned = turned.as_standard_layout().into_owned().reversed_axes();
     assert!(turned.as_slice().is_none());
     let turned = Grid::from_cells(turned, grid.palette().clone()).unwrap();
-    assert_eq!(
-        encode_schem(&turned, SchemVersion::V2).unwrap(),
-        encode_schem(&grid, SchemVersion::V2).unwrap()
-    );
+    assert_eq!(schem(&turned, SchemVersion::V2), schem(&grid, SchemVersion::V2));
 }
 
 #[test]
 fn a_grid_without_a_data_version_gets_the_default() {
-    let back = read_grid(&encode_schem(&Grid::new(Cell::ONE), SchemVersion::V2).unwrap());
+    let back = read_grid(&schem(&Grid::new(Cell::ONE), SchemVersion::V2));
     assert_eq!(back.metadata.data_version, Some(DEFAULT_DATA_VERSION));
 }
 
 #[test]
-fn biomes_stay_where_the_version_has_a_place_for_them() {
+fn biomes_convert_between_columns_and_cells() {
     let mut grid = Grid::new(Cell::new(2, 3, 2));
+    let names: Vec<String> = ["plains", "minecraft:desert"].map(str::to_owned).into();
+    let columns = Array2::from_shape_fn((2, 2), |(z, x)| (x + z) as u16 % 2);
+    let pillars = Array3::from_shape_fn((3, 2, 2), |(_, z, x)| columns[(z, x)]);
+    let layers = Array3::from_shape_fn((3, 2, 2), |(y, ..)| y as u16 % 2);
+    let biomes = |map| Some(Biomes { names: names.clone(), map });
+    let (columns, pillars, layers) = (
+        biomes(BiomeMap::Columns(columns)),
+        biomes(BiomeMap::Cells(pillars)),
+        biomes(BiomeMap::Cells(layers)),
+    );
     let cases = [
-        (SchemVersion::V2, BiomeExtent::Column, 4, true),
-        (SchemVersion::V3, BiomeExtent::Cell, 12, true),
-        (SchemVersion::V3, BiomeExtent::Column, 4, false),
-        (SchemVersion::V2, BiomeExtent::Cell, 12, false),
-        (SchemVersion::V2, BiomeExtent::Column, 5, false),
+        (&columns, SchemVersion::V2, &columns, vec![]),
+        (&columns, SchemVersion::V3, &pillars, vec![]),
+        (&pillars, SchemVersion::V2, &columns, vec![]),
+        (&layers, SchemVersion::V3, &layers, vec![]),
     ];
-    for (version, extent, entries, kept) in cases {
-        let palette = tags([("minecraft:plains", Tag::Int(0))]);
-        grid.metadata.biomes = Some(Biomes { extent, palette, data: vec![0; entries] });
-        let back = read_grid(&encode_schem(&grid, version).unwrap());
-        assert_eq!(back.metadata.biomes.is_some(), kept);
-        assert_eq!(lost_in_schem(&grid, version), if kept { vec![] } else { vec!["biomes"] });
+    for (from, version, to, lost) in cases {
+        grid.metadata.biomes = from.clone();
+        let encoded = encode_schem(&grid, version).unwrap();
+        assert_eq!(read_grid(&encoded.bytes).metadata.biomes, *to);
+        assert_eq!(encoded.lost, lost);
     }
+    grid.metadata.biomes = layers;
+    assert_eq!(encode_schem(&grid, SchemVersion::V2).unwrap().lost, [Lost::Biomes]);
 }
 
 #[test]
 fn block_entities_without_id_are_lost_with_a_word() {
     let mut grid = Grid::new(Cell::ONE);
     grid.block_entities.insert([0, 0, 0], tags([("Lock", Tag::String("key".into()))]));
-    let back = read_grid(&encode_schem(&grid, SchemVersion::V2).unwrap());
-    assert!(back.block_entities.is_empty());
-    assert_eq!(lost_in_schem(&grid, SchemVersion::V2), ["block entities without an `id`"]);
+    let encoded = encode_schem(&grid, SchemVersion::V2).unwrap();
+    assert!(read_grid(&encoded.bytes).block_entities.is_empty());
+    assert_eq!(encoded.lost, [Lost::UnnamedBlockEntities(1)]);
+    assert_eq!(encoded.lost[0].to_string(), "1 block entity without an `id`");
 }
 
 #[test]
@@ -191,12 +203,12 @@ fn sizes_that_have_no_schematic() {
         assert!(matches!(error, WriteError::Size(_)), "{error}");
     }
     let long = Grid::new(Cell::new(65_535, 1, 1));
-    assert!(read_grid(&encode_schem(&long, SchemVersion::V3).unwrap()).same_blocks(&long));
+    assert!(read_grid(&schem(&long, SchemVersion::V3)).same_blocks(&long));
 }
 
 #[test]
 fn every_truncated_file_is_refused() {
-    let bytes = encode_schem(&varied(Cell::new(4, 4, 4), 9), SchemVersion::V2).unwrap();
+    let bytes = schem(&varied(Cell::new(4, 4, 4), 9), SchemVersion::V2);
     for len in 0..bytes.len() {
         assert!(read(&bytes[..len]).is_err(), "{len} of {} bytes", bytes.len());
     }
@@ -204,7 +216,7 @@ fn every_truncated_file_is_refused() {
 
 #[test]
 fn limits_hold() {
-    let bytes = encode_schem(&Grid::new(Cell::splat(100)), SchemVersion::V2).unwrap();
+    let bytes = schem(&Grid::new(Cell::splat(100)), SchemVersion::V2);
     let cases = [
         (Limits { max_cells: 999_999, ..Limits::default() }, "more than 999999, the limit"),
         (Limits { max_bytes: 999_999, ..Limits::default() }, "unpacks to more than 999999 bytes, the limit"),

@@ -21,7 +21,7 @@ proptest! {
     fn the_same_seed_makes_the_same_bytes(grammar in tilings(), seed: u64) {
         let bytes = || {
             let options = Options { overrun: Overrun::Clip, ..options([9, 7, 8], seed) };
-            encode_schem(&blocks(&graph_of(grammar.clone()), &options).unwrap(), SchemVersion::V2).unwrap()
+            encode_schem(&blocks(&graph_of(grammar.clone()), &options).unwrap(), SchemVersion::V2).unwrap().bytes
         };
         prop_assert_eq!(bytes(), bytes());
     }

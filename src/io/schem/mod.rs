@@ -16,7 +16,7 @@ mod read;
 mod write;
 
 pub(super) use read::decode;
-pub use write::{SchemVersion, encode_schem, lost_in_schem};
+pub use write::{SchemVersion, encode_schem};
 
 /// The game version written for grids that do not say theirs: 1.20.1.
 pub const DEFAULT_DATA_VERSION: i32 = 3465;

@@ -27,7 +27,7 @@ pub fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warning>), 
     let (block_entities, warning) = entities::read_block_entities(&parts.blocks, grid.bounds(), corner)?;
     warnings.extend(warning);
     grid.block_entities = block_entities;
-    grid.metadata = metadata(&body, corner)?;
+    grid.metadata = metadata(&body, corner, size)?;
     let (entities, warning) = entities::read_entities(&body, parts.origin)?;
     warnings.extend(warning);
     grid.metadata.entities = entities;
@@ -88,12 +88,12 @@ fn palette_max(body: &Fields, palettes: &Palettes) -> Result<Option<Warning>, Re
     Ok(said.filter(|&said| said != found as i32).map(|said| Warning::PaletteMax { said, found }))
 }
 
-fn metadata(body: &Fields, corner: Cell) -> Result<Metadata, ReadError> {
+fn metadata(body: &Fields, corner: Cell, size: Cell) -> Result<Metadata, ReadError> {
     let mut tags = body.find::<&Compound>("Metadata")?.cloned().unwrap_or_default();
     let offset = worldedit_offset(&Fields::new(body.path("Metadata"), &tags))?.unwrap_or(corner);
     tags.retain(|name, _| !WE_OFFSET.contains(&name.as_str()));
     let data_version = body.find("DataVersion")?;
-    Ok(Metadata { data_version, offset, tags, entities: Vec::new(), biomes: biomes::read(body)? })
+    Ok(Metadata { data_version, offset, tags, biomes: biomes::read(body, size)?, ..Metadata::default() })
 }
 
 fn worldedit_offset(metadata: &Fields) -> Result<Option<Cell>, ReadError> {

@@ -1,7 +1,7 @@
 use super::{DEFAULT_DATA_VERSION, WE_OFFSET, biomes, blocks, entities};
-use crate::grid::Grid;
+use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
-use crate::io::{WriteError, gzip};
+use crate::io::{Encoded, Lost, WriteError, gzip};
 use crate::nbt::{self, Compound, Tag};
 
 /// The versions of the format that are written.
@@ -14,7 +14,7 @@ pub enum SchemVersion {
 }
 
 /// The file of `grid` as a Sponge schematic. The same grid always gives the same bytes.
-pub fn encode_schem(grid: &Grid, version: SchemVersion) -> Result<Vec<u8>, WriteError> {
+pub fn encode_schem(grid: &Grid, version: SchemVersion) -> Result<Encoded, WriteError> {
     let extents = extents(grid)?;
     let blocks = blocks::encode(grid);
     let mut body = common(grid, extents);
@@ -25,15 +25,18 @@ pub fn encode_schem(grid: &Grid, version: SchemVersion) -> Result<Vec<u8>, Write
         SchemVersion::V2 => nbt::write("Schematic", &version_2(grid, body, blocks, block_entities))?,
         SchemVersion::V3 => nbt::write("", &version_3(grid, body, blocks, block_entities))?,
     };
-    Ok(gzip::pack(&plain)?)
+    Ok(Encoded { bytes: gzip::pack(&plain)?, lost: lost(grid, version) })
 }
 
-/// What of `grid` has no place in a schematic of `version`, in the words of messages.
-pub fn lost_in_schem(grid: &Grid, version: SchemVersion) -> Vec<&'static str> {
-    let unnamed = grid.block_entities.values().any(|data| !data.contains_key("id"));
-    let misfit = grid.metadata.biomes.as_ref().is_some_and(|found| !biomes::fit(grid, found, version));
-    let lost = [(unnamed, "block entities without an `id`"), (misfit, "biomes")];
-    lost.into_iter().filter_map(|(is_lost, what)| is_lost.then_some(what)).collect()
+fn lost(grid: &Grid, version: SchemVersion) -> Vec<Lost> {
+    let lost = [
+        Lost::unnamed_block_entities(grid),
+        biomes::lost(grid, version),
+        Lost::own(grid, Some(Dialect::Sponge)),
+        Lost::regions(grid),
+        Lost::variants(grid),
+    ];
+    lost.into_iter().flatten().collect()
 }
 
 /// Width, height and length in the unsigned form of the format.

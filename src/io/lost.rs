@@ -1,0 +1,99 @@
+use crate::grid::{Dialect, Grid};
+use crate::space::Cell;
+use std::fmt;
+
+/// What of a grid has no place in a format.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Lost {
+    BlockEntities(usize),
+    /// Clients crash on them.
+    UnnamedBlockEntities(usize),
+    Entities(usize),
+    Biomes,
+    Offset(Cell),
+    /// The names of the tags.
+    Metadata(Vec<String>),
+    /// Tags that only the format knows which the grid came in, by name.
+    Own(Vec<String>),
+    /// Their blocks are kept, as one whole.
+    Regions(usize),
+    Variants(usize),
+}
+
+/// A format picks from these what it cannot hold.
+impl Lost {
+    pub(super) fn block_entities(grid: &Grid) -> Option<Lost> {
+        some(grid.block_entities.len(), Lost::BlockEntities)
+    }
+
+    pub(super) fn unnamed_block_entities(grid: &Grid) -> Option<Lost> {
+        let unnamed = grid.block_entities.values().filter(|data| !data.contains_key("id"));
+        some(unnamed.count(), Lost::UnnamedBlockEntities)
+    }
+
+    pub(super) fn entities(grid: &Grid) -> Option<Lost> {
+        some(grid.metadata.entities.len(), Lost::Entities)
+    }
+
+    pub(super) fn biomes(grid: &Grid) -> Option<Lost> {
+        grid.metadata.biomes.as_ref().map(|_| Lost::Biomes)
+    }
+
+    pub(super) fn offset(grid: &Grid) -> Option<Lost> {
+        let offset = grid.metadata.offset;
+        (offset != Cell::ZERO).then_some(Lost::Offset(offset))
+    }
+
+    pub(super) fn metadata(grid: &Grid) -> Option<Lost> {
+        let names: Vec<String> = grid.metadata.tags.keys().cloned().collect();
+        (!names.is_empty()).then_some(Lost::Metadata(names))
+    }
+
+    /// The tags of other dialects than the one that is written.
+    pub(super) fn own(grid: &Grid, written: Option<Dialect>) -> Option<Lost> {
+        let own = grid.metadata.own.as_ref().filter(|own| Some(own.dialect) != written)?;
+        let names: Vec<String> = own.tags.keys().cloned().collect();
+        (!names.is_empty()).then_some(Lost::Own(names))
+    }
+
+    /// A single region is lost by its name only, which is no loss to tell of.
+    pub(super) fn regions(grid: &Grid) -> Option<Lost> {
+        some(grid.metadata.regions.len(), Lost::Regions).filter(|_| grid.metadata.regions.len() > 1)
+    }
+
+    pub(super) fn variants(grid: &Grid) -> Option<Lost> {
+        some(grid.variants.len(), Lost::Variants)
+    }
+}
+
+fn some(count: usize, lost: impl Fn(usize) -> Lost) -> Option<Lost> {
+    (count > 0).then(|| lost(count))
+}
+
+impl fmt::Display for Lost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Lost::BlockEntities(count) => write!(f, "{}", counted(*count, "block entity", "block entities")),
+            Lost::UnnamedBlockEntities(count) => {
+                write!(f, "{} without an `id`", counted(*count, "block entity", "block entities"))
+            }
+            Lost::Entities(count) => write!(f, "{}", counted(*count, "entity", "entities")),
+            Lost::Biomes => write!(f, "biomes"),
+            Lost::Offset(Cell { x, y, z }) => write!(f, "the offset ({x}, {y}, {z})"),
+            Lost::Metadata(names) => write!(f, "metadata ({})", listed(names)),
+            Lost::Own(names) => write!(f, "tags of its former format ({})", listed(names)),
+            Lost::Regions(count) => write!(f, "the bounds of {count} regions"),
+            Lost::Variants(count) => write!(f, "{}", counted(*count, "further variant", "further variants")),
+        }
+    }
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+fn listed(names: &[String]) -> String {
+    const SHOWN: usize = 6;
+    let more = if names.len() > SHOWN { ", ..." } else { "" };
+    format!("{}{more}", names[..names.len().min(SHOWN)].join(", "))
+}
