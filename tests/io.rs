@@ -4,6 +4,8 @@
 mod data;
 #[path = "io/hostile.rs"]
 mod hostile;
+#[path = "io/mcedit.rs"]
+mod mcedit;
 #[path = "io/obj.rs"]
 mod obj;
 #[path = "common/real.rs"]

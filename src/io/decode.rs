@@ -1,4 +1,4 @@
-use super::{Format, Limits, ReadError, Scale, Warning, gzip, obj, schem};
+use super::{Format, Limits, ReadError, Scale, Warning, gzip, mcedit, obj, schem};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
 
@@ -28,6 +28,10 @@ pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Deco
     match parse(&plain, limits)? {
         Parsed::Tags(Format::Schem, root) => {
             let (grid, warnings) = schem::decode(&root, limits)?;
+            Ok(Decoded { content: Content::Grid(grid), warnings })
+        }
+        Parsed::Tags(Format::Mcedit, root) => {
+            let (grid, warnings) = mcedit::decode(&root, limits)?;
             Ok(Decoded { content: Content::Grid(grid), warnings })
         }
         Parsed::Bytes(Format::Obj) => {

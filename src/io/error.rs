@@ -39,6 +39,16 @@ pub enum ReadError {
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]
     TooFewBytes { size: Size, cells: u64, path: String, bytes: usize },
 
+    #[error("the size {size} makes {cells} blocks, but `{path}` holds only {found}")]
+    TooFewEntries { size: Size, cells: u64, path: String, found: usize },
+    #[error("`{path}` holds only {found} bytes, too few for all blocks")]
+    ShortArray { path: String, found: usize },
+    #[error(
+        "the tag `Materials` is `{0}`: vox knows only `Alpha`, the blocks of Java Edition; \
+         Classic and Pocket Edition number theirs otherwise"
+    )]
+    Materials(String),
+
     #[error("the entry `{entry}` of `{path}` is no block state: {problem}")]
     PaletteEntry { path: String, entry: String, problem: BadBlockState },
     #[error("the entry `{entry}` of `{path}` has the index {index}: expected 0 to {}", PALETTE_INDEX_MAX)]

@@ -16,9 +16,11 @@ mod format;
 mod gzip;
 mod limits;
 mod lost;
+mod mcedit;
 mod obj;
 mod schem;
 mod varint;
+mod volume;
 mod warning;
 
 pub use decode::{Content, Decoded, decode, decode_scaled, sniff};

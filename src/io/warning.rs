@@ -7,4 +7,16 @@ pub enum Warning {
     EntitiesUnnamed(usize),
     #[error("PaletteMax is {said}, but the palette holds {found} entries: the palette is believed")]
     PaletteMax { said: i32, found: usize },
+    #[error("{blocks} blocks have data that their id never has ({ids}): they are read as if it was 0")]
+    UnknownData { blocks: usize, ids: String },
+    #[error("the file does not say what {blocks} blocks are ({ids}): they are called `legacy:` and their id")]
+    UnknownIds { blocks: usize, ids: String },
+    #[error("ids above 255 are read in WorldEdit's order of `AddBlocks`; other programs have another")]
+    HalvesOfIds,
+    #[error(
+        "the items in {0} block entities are kept in the form of Minecraft 1.12, which newer games may drop"
+    )]
+    OldItems(usize),
+    #[error("{0} entities are kept in the form of Minecraft 1.12, which newer games may drop")]
+    OldEntities(usize),
 }
