@@ -1,4 +1,4 @@
-use super::{Format, Limits, ReadError, Scale, Warning, gzip, mcedit, obj, schem};
+use super::{Format, Limits, ReadError, Scale, Warning, blueprint, gzip, mcedit, obj, schem};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
 
@@ -32,6 +32,10 @@ pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Deco
         }
         Parsed::Tags(Format::Mcedit, root) => {
             let (grid, warnings) = mcedit::decode(&root, limits)?;
+            Ok(Decoded { content: Content::Grid(grid), warnings })
+        }
+        Parsed::Tags(Format::Blueprint, root) => {
+            let (grid, warnings) = blueprint::decode(&root, limits)?;
             Ok(Decoded { content: Content::Grid(grid), warnings })
         }
         Parsed::Bytes(Format::Obj) => {

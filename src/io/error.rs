@@ -32,6 +32,8 @@ pub enum ReadError {
     WrongType { path: String, expected: &'static str, found: String },
     #[error("the tag `{path}` is {found}: vox knows the versions 1 to 3 of Sponge schematics")]
     Version { path: String, found: i32 },
+    #[error("the tag `{path}` is {found}: vox knows version {known} of this format")]
+    OnlyVersion { path: String, found: i32, known: i32 },
     #[error("the tag `{path}` is 0: a schematic is at least one block wide, high and long")]
     ZeroSize { path: String },
     #[error("the size {size} makes {cells} blocks, more than {limit}, the limit")]

@@ -134,6 +134,17 @@ impl<'a> FromTag<'a> for &'a [i8] {
     }
 }
 
+impl<'a> FromTag<'a> for &'a [i32] {
+    const EXPECTED: &'static str = "an Int Array";
+
+    fn from_tag(tag: &'a Tag) -> Option<&'a [i32]> {
+        match tag {
+            Tag::IntArray(numbers) => Some(numbers),
+            _ => None,
+        }
+    }
+}
+
 impl<'a> FromTag<'a> for &'a [Tag] {
     const EXPECTED: &'static str = "a List";
 

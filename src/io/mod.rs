@@ -7,6 +7,7 @@
 //!
 //! What a file is, its content says: names and extensions are never asked.
 
+mod blueprint;
 mod decode;
 mod encoded;
 mod error;
@@ -19,6 +20,7 @@ mod lost;
 mod mcedit;
 mod obj;
 mod schem;
+mod states;
 mod varint;
 mod volume;
 mod warning;

@@ -1,12 +1,17 @@
 use super::tag::id;
-use super::{Compound, Limits, NbtError, NbtProblem, Tag};
+use super::{Compound, Endian, Limits, NbtError, NbtProblem, Tag};
 
 /// The root name and tree of big-endian NBT, which must fill `bytes`.
 ///
 /// No length is believed before its bytes are there, so memory is bounded by `bytes` and `limits`.
 /// Of equal names in a compound the last one counts, as in the game.
 pub fn read(bytes: &[u8], limits: &Limits) -> Result<(String, Compound), NbtError> {
-    let (name, root, end) = read_first(bytes, limits)?;
+    read_as(Endian::Big, bytes, limits)
+}
+
+/// As [`read`], of NBT in either order of bytes.
+pub fn read_as(endian: Endian, bytes: &[u8], limits: &Limits) -> Result<(String, Compound), NbtError> {
+    let (name, root, end) = first(endian, bytes, limits)?;
     match bytes.len() - end {
         0 => Ok((name, root)),
         left => Err(NbtError::new(end, NbtProblem::Trailing(left))),
@@ -15,7 +20,11 @@ pub fn read(bytes: &[u8], limits: &Limits) -> Result<(String, Compound), NbtErro
 
 /// The root name and tree of the NBT that `bytes` start with, and the number of bytes that it takes.
 pub fn read_first(bytes: &[u8], limits: &Limits) -> Result<(String, Compound, usize), NbtError> {
-    let mut reader = Reader { bytes, at: 0, memory: limits.max_memory, limits };
+    first(Endian::Big, bytes, limits)
+}
+
+fn first(endian: Endian, bytes: &[u8], limits: &Limits) -> Result<(String, Compound, usize), NbtError> {
+    let mut reader = Reader { endian, bytes, at: 0, memory: limits.max_memory, limits };
     let root = reader.byte("the type of the root tag")?;
     if root != id::COMPOUND {
         return Err(NbtError::new(0, NbtProblem::Root(root)));
@@ -26,6 +35,7 @@ pub fn read_first(bytes: &[u8], limits: &Limits) -> Result<(String, Compound, us
 }
 
 struct Reader<'a> {
+    endian: Endian,
     bytes: &'a [u8],
     at: usize,
     /// What the tree may still cost.
@@ -52,7 +62,7 @@ impl<'a> Reader<'a> {
     fn array<const N: usize>(&mut self, what: &'static str) -> Result<[u8; N], NbtError> {
         let mut array = [0; N];
         array.copy_from_slice(self.take(what, N as u64)?);
-        Ok(array)
+        Ok(self.endian.arrange(array))
     }
 
     fn byte(&mut self, what: &'static str) -> Result<u8, NbtError> {
@@ -115,7 +125,7 @@ impl<'a> Reader<'a> {
         let len = self.length(what, N as u64)?;
         self.charge(len * N as u64)?;
         let (chunks, _) = self.take(what, len * N as u64)?.as_chunks::<N>();
-        Ok(chunks.iter().map(|chunk| number(*chunk)).collect())
+        Ok(chunks.iter().map(|chunk| number(self.endian.arrange(*chunk))).collect())
     }
 
     fn text(&mut self) -> Result<String, NbtError> {
