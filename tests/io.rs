@@ -12,6 +12,8 @@ mod mcedit;
 mod obj;
 #[path = "common/real.rs"]
 mod real;
+#[path = "io/region.rs"]
+mod region;
 #[path = "io/round_trip.rs"]
 mod round_trip;
 #[path = "io/sniff.rs"]

@@ -39,6 +39,11 @@ impl BlockState {
         BlockState { name: "minecraft:air".into(), properties: Vec::new() }
     }
 
+    /// What stands in a build for cells that are to be left alone where it is placed.
+    pub fn structure_void() -> BlockState {
+        BlockState { name: "minecraft:structure_void".into(), properties: Vec::new() }
+    }
+
     /// The state of a block whose name comes from the table of known blocks, so is legal.
     pub(super) fn known(name: &'static str) -> BlockState {
         BlockState { name: format!("minecraft:{name}").into(), properties: Vec::new() }

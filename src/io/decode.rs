@@ -1,4 +1,4 @@
-use super::{Format, Limits, ReadError, Scale, Warning, blueprint, gzip, mcedit, obj, schem};
+use super::{Format, Limits, ReadError, Scale, Warning, blueprint, gzip, mcedit, obj, region, schem};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
 
@@ -25,25 +25,18 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
 /// As [`decode`], where OBJ coordinates count in units of `scale`.
 pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Decoded, ReadError> {
     let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    match parse(&plain, limits)? {
-        Parsed::Tags(Format::Schem, root) => {
-            let (grid, warnings) = schem::decode(&root, limits)?;
-            Ok(Decoded { content: Content::Grid(grid), warnings })
-        }
-        Parsed::Tags(Format::Mcedit, root) => {
-            let (grid, warnings) = mcedit::decode(&root, limits)?;
-            Ok(Decoded { content: Content::Grid(grid), warnings })
-        }
-        Parsed::Tags(Format::Blueprint, root) => {
-            let (grid, warnings) = blueprint::decode(&root, limits)?;
-            Ok(Decoded { content: Content::Grid(grid), warnings })
-        }
+    let (grid, warnings) = match parse(&plain, limits)? {
+        Parsed::Tags(Format::Schem, root) => schem::decode(&root, limits)?,
+        Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits)?,
+        Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits)?,
+        Parsed::Bytes(Format::Region) => region::decode(&plain, limits)?,
         Parsed::Bytes(Format::Obj) => {
             let boxes = obj::decode_obj_boxes(&plain, scale)?;
-            Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
+            return Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() });
         }
-        Parsed::Tags(format, _) | Parsed::Bytes(format) => Err(ReadError::Unreadable(format)),
-    }
+        Parsed::Tags(format, _) | Parsed::Bytes(format) => return Err(ReadError::Unreadable(format)),
+    };
+    Ok(Decoded { content: Content::Grid(grid), warnings })
 }
 
 /// What format the bytes of a file are in.

@@ -1,4 +1,4 @@
-use super::{Format, GzipError, ObjError, VarintProblem};
+use super::{ChunkProblem, Format, GzipError, ObjError, VarintProblem};
 use crate::block::{BadBlockState, PaletteFull};
 use crate::nbt::{self, NbtError};
 use crate::space::Cell;
@@ -69,6 +69,39 @@ pub enum ReadError {
     #[error("`{path}` goes on for {bytes} bytes after all {cells} blocks")]
     TooManyBlocks { path: String, bytes: usize, cells: u64 },
 
+    #[error("{name}: {error}")]
+    Named { name: String, error: Box<ReadError> },
+    #[error("the region is {0} bytes long: its table alone takes 8,192")]
+    RegionHead(usize),
+    #[error("the chunk ({}, {}) of the region: {problem}", .slot[0], .slot[1])]
+    Chunk { slot: [i32; 2], problem: ChunkProblem },
+    #[error("the folder holds no region: expected files `r.<x>.<z>.mca`, or a folder `region` with such")]
+    NoRegions,
+    #[error("there is no block but air")]
+    EmptyWorld,
+    #[error(
+        "the blocks reach from {} to {}, or further: more than {limit} cells, the limit; give a box to read",
+        place(.from),
+        place(.to)
+    )]
+    WorldTooLarge { from: Cell, to: Cell, limit: u64 },
+    #[error(
+        "no part of a world reaches from {} to {}: expected the low corner first, within 30,000,000 blocks of the middle",
+        place(.from),
+        place(.to)
+    )]
+    NoPart { from: Cell, to: Cell },
+    #[error(
+        "`{path}` holds blocks by number, as before Minecraft 1.13, which vox does not read from regions"
+    )]
+    NumberedBlocks { path: String },
+    #[error("`{path}` is empty: expected a block state at least")]
+    NoStates { path: String },
+    #[error("`{path}` holds {longs} longs, into which {count} indices of {entries} entries are never packed")]
+    PackedLength { path: String, longs: usize, count: usize, entries: usize },
+    #[error("`{path}`, number {at}: index {index} is not in the palette of {entries} entries")]
+    PackedIndex { path: String, at: usize, index: u32, entries: usize },
+
     #[error(transparent)]
     Obj(#[from] ObjError),
 }
@@ -97,6 +130,16 @@ pub enum WriteError {
     File(#[from] std::io::Error),
     #[error("the size {0} cannot be written: a .schem holds 1 to 65,535 blocks along each axis")]
     Size(Size),
+    #[error(
+        "the blocks are of the data version {0}, but chunks are written as since Minecraft 1.18 (2860): \
+         bring the blocks to that version first"
+    )]
+    OldBlocks(i32),
+    #[error("the build would reach from {} to {}: worlds go to 30,000,000 sideways and 2,032 up and down",
+        place(.from), place(.to))]
+    OutsideWorlds { from: Cell, to: Cell },
+    #[error("the region ({}, {}) takes more than 64 GiB", .0[0], .0[1])]
+    LongRegion([i32; 2]),
     #[error(transparent)]
     Nbt(#[from] nbt::WriteError),
 }

@@ -145,6 +145,17 @@ impl<'a> FromTag<'a> for &'a [i32] {
     }
 }
 
+impl<'a> FromTag<'a> for &'a [i64] {
+    const EXPECTED: &'static str = "a Long Array";
+
+    fn from_tag(tag: &'a Tag) -> Option<&'a [i64]> {
+        match tag {
+            Tag::LongArray(numbers) => Some(numbers),
+            _ => None,
+        }
+    }
+}
+
 impl<'a> FromTag<'a> for &'a [Tag] {
     const EXPECTED: &'static str = "a List";
 

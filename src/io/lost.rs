@@ -18,6 +18,10 @@ pub enum Lost {
     /// Their blocks are kept, as one whole.
     Regions(usize),
     Variants(usize),
+    /// Cells that were to be left alone and become air.
+    LeftAlone(usize),
+    /// Blocks below -64 or above 319.
+    OutsideHeights,
 }
 
 /// A format picks from these what it cannot hold.
@@ -83,6 +87,12 @@ impl fmt::Display for Lost {
             Lost::Metadata(names) => write!(f, "metadata ({})", listed(names)),
             Lost::Own(names) => write!(f, "tags of its former format ({})", listed(names)),
             Lost::Regions(count) => write!(f, "the bounds of {count} regions"),
+            Lost::LeftAlone(count) => {
+                write!(f, "{} to be left alone, now air", counted(*count, "cell", "cells"))
+            }
+            Lost::OutsideHeights => {
+                write!(f, "blocks below -64 or above 319, where only worlds of unusual height have a place")
+            }
             Lost::Variants(count) => write!(f, "{}", counted(*count, "further variant", "further variants")),
         }
     }

@@ -23,4 +23,12 @@ pub enum Warning {
     OldItems(usize),
     #[error("{0} entities are kept in the form of Minecraft 1.12, which newer games may drop")]
     OldEntities(usize),
+    #[error("{0} chunks are not made yet: their blocks are left alone (structure_void)")]
+    ChunksNotMade(usize),
+    #[error("{0} chunks say that they belong elsewhere and are left out")]
+    ChunksMisplaced(usize),
+    #[error("the chunks are of the data versions {first} to {last}: the highest is believed")]
+    MixedVersions { first: i32, last: i32 },
+    #[error("biomes are kept by number, as before Minecraft 1.18, and are left out")]
+    BiomesByNumber,
 }

@@ -1,0 +1,210 @@
+use super::biomes::Gathered;
+use super::chunk::{Chunk, Column, blocks};
+use super::section::Section;
+use super::world::World;
+use super::{CHUNK, EDGE};
+use crate::block::BlockState;
+use crate::grid::{Entity, Grid};
+use crate::io::error::Size;
+use crate::io::fields::Fields;
+use crate::io::{Content, Decoded, Limits, ReadError, Warning};
+use crate::space::{Bounds, Cell};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// The blocks of a world within `part`, or all there are. `path` is a region file, a folder of them, or the folder of
+/// a world that has one. Where the game has made no blocks yet the grid holds `structure_void`.
+pub fn read_world(path: &Path, part: Option<Bounds>, limits: &Limits) -> Result<Decoded, ReadError> {
+    let (grid, warnings) = read(&World::at(path)?, part, limits)?;
+    Ok(Decoded { content: Content::Grid(grid), warnings })
+}
+
+/// All blocks of a region file.
+pub fn decode(bytes: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
+    read(&World::of_bytes(bytes), None, limits)
+}
+
+fn read(world: &World, part: Option<Bounds>, limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
+    let part = part.map_or_else(|| extent(world, limits), Ok)?;
+    let Bounds { min, max } = part;
+    if min.cmpge(max).any() || min.min_element() < -EDGE || max.max_element() > EDGE {
+        return Err(ReadError::NoPart { from: min, to: max });
+    }
+    let cells = part.volume();
+    if cells > limits.max_cells {
+        return Err(ReadError::TooManyCells { size: Size(part.size()), cells, limit: limits.max_cells });
+    }
+    let mut reading = Reading::new(part);
+    let mut misplaced = 0;
+    for region in &world.blocks {
+        misplaced += region.visit(Some(part), limits, &mut |chunk| reading.add(chunk))?;
+    }
+    for region in &world.entities {
+        misplaced += region.visit(Some(part), limits, &mut |chunk| reading.add_entities(chunk))?;
+    }
+    let (grid, mut warnings) = reading.finish()?;
+    warnings.extend((misplaced > 0).then_some(Warning::ChunksMisplaced(misplaced)));
+    Ok((grid, warnings))
+}
+
+/// The smallest box around all blocks but air.
+fn extent(world: &World, limits: &Limits) -> Result<Bounds, ReadError> {
+    let mut extent: Option<Bounds> = None;
+    for region in &world.blocks {
+        region.visit(None, limits, &mut |chunk| {
+            let Some(column) = chunk.column()? else { return Ok(()) };
+            let sections = blocks(column, &chunk.sections()?)?;
+            let filled = sections.iter().filter_map(|(at, section)| filled(*at, section));
+            extent = extent.into_iter().chain(filled).reduce(|all, next| all.union(&next));
+            Ok(())
+        })?;
+        if let Some(Bounds { min, max }) = extent.filter(|extent| extent.volume() > limits.max_cells) {
+            return Err(ReadError::WorldTooLarge { from: min, to: max - 1, limit: limits.max_cells });
+        }
+    }
+    extent.ok_or(ReadError::EmptyWorld)
+}
+
+/// The smallest box around the blocks of a section that are not air.
+fn filled(at: Bounds, section: &Section) -> Option<Bounds> {
+    let solid: Vec<bool> = section.states.iter().map(|state| !is_air(state)).collect();
+    if section.ids.is_empty() {
+        return solid.first().copied().unwrap_or_default().then_some(at);
+    }
+    let cells = at.cells().zip(&section.ids).filter(|&(_, &id)| solid[id as usize]);
+    cells.map(|(cell, _)| Bounds::new(cell, cell + 1)).reduce(|all, next| all.union(&next))
+}
+
+fn is_air(state: &BlockState) -> bool {
+    matches!(state.short_name(), "air" | "cave_air" | "void_air")
+}
+
+/// A part of the world while its chunks are read.
+struct Reading {
+    part: Bounds,
+    grid: Grid,
+    biomes: Gathered,
+    /// Where the game has made blocks.
+    made: BTreeSet<Column>,
+    versions: BTreeSet<i32>,
+    numbered_biomes: usize,
+    unnamed_entities: usize,
+}
+
+impl Reading {
+    fn new(part: Bounds) -> Reading {
+        Reading {
+            part,
+            grid: Grid::new(part.size()),
+            biomes: Gathered::new(part),
+            made: BTreeSet::new(),
+            versions: BTreeSet::new(),
+            numbered_biomes: 0,
+            unnamed_entities: 0,
+        }
+    }
+
+    fn add(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
+        let Some(column) = chunk.column()? else { return Ok(()) };
+        if column.within(self.part).is_empty() {
+            return Ok(());
+        }
+        self.made.insert(column);
+        self.versions.extend(chunk.data_version);
+        self.numbered_biomes += usize::from(chunk.has_numbered_biomes());
+        let sections = chunk.sections()?;
+        for (height, fields) in &sections {
+            self.biomes.add(column.section(*height), fields)?;
+        }
+        for (at, section) in blocks(column, &sections)? {
+            self.fill(at, &section)?;
+        }
+        for fields in chunk.block_entities()? {
+            self.add_block_entity(&fields)?;
+        }
+        self.add_entities(chunk)
+    }
+
+    fn fill(&mut self, at: Bounds, section: &Section) -> Result<(), ReadError> {
+        let full = |problem| ReadError::PaletteFull { path: "palette".to_owned(), problem };
+        let ids = section.states.iter().map(|state| self.grid.intern(state).map_err(full));
+        let ids = ids.collect::<Result<Vec<u16>, ReadError>>()?;
+        let inside = at.intersect(&self.part);
+        if section.ids.is_empty() && !inside.is_empty() {
+            let here = Bounds::new(inside.min - self.part.min, inside.max - self.part.min);
+            self.grid.fill(here, ids[0]);
+            return Ok(());
+        }
+        for cell in inside.cells() {
+            let local = cell - at.min;
+            let place = (local.y * CHUNK + local.z) * CHUNK + local.x;
+            self.grid.set(cell - self.part.min, ids[section.ids[place as usize] as usize]);
+        }
+        Ok(())
+    }
+
+    fn add_block_entity(&mut self, fields: &Fields) -> Result<(), ReadError> {
+        let place = Cell::new(fields.get("x")?, fields.get("y")?, fields.get("z")?);
+        if self.part.contains(place) {
+            let mut data = fields.tags.clone();
+            // `keepPacked` is a note of the chunk to itself.
+            for name in ["x", "y", "z", "keepPacked"] {
+                data.remove(name);
+            }
+            self.grid.block_entities.insert((place - self.part.min).to_array(), data);
+        }
+        Ok(())
+    }
+
+    fn add_entities(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
+        for fields in chunk.entities()? {
+            let place = glam::DVec3::from_array(fields.get("Pos")?);
+            if !self.part.contains(place.floor().as_ivec3()) {
+                continue;
+            }
+            let mut data = fields.tags.clone();
+            data.remove("Pos");
+            if !data.contains_key("id") {
+                self.unnamed_entities += 1;
+                continue;
+            }
+            let place = (place - self.part.min.as_dvec3()).to_array();
+            self.grid.metadata.entities.push(Entity { place, data });
+        }
+        Ok(())
+    }
+
+    fn finish(mut self) -> Result<(Grid, Vec<Warning>), ReadError> {
+        let unmade = self.leave_unmade_alone()?;
+        self.grid.metadata.data_version = self.versions.last().copied();
+        self.grid.metadata.biomes = self.biomes.finish();
+        let oldest = self.versions.first().zip(self.versions.last()).filter(|(first, last)| first != last);
+        let warnings = [
+            (unmade > 0).then_some(Warning::ChunksNotMade(unmade)),
+            (self.numbered_biomes > 0).then_some(Warning::BiomesByNumber),
+            (self.unnamed_entities > 0).then_some(Warning::EntitiesUnnamed(self.unnamed_entities)),
+            oldest.map(|(&first, &last)| Warning::MixedVersions { first, last }),
+        ];
+        Ok((self.grid, warnings.into_iter().flatten().collect()))
+    }
+
+    /// Fills the chunks that the game has not made with `structure_void`. Gives their number.
+    fn leave_unmade_alone(&mut self) -> Result<usize, ReadError> {
+        let mut unmade = 0;
+        for column in columns(self.part).filter(|column| !self.made.contains(column)) {
+            let full = |problem| ReadError::PaletteFull { path: "palette".to_owned(), problem };
+            let id = self.grid.intern(&BlockState::structure_void()).map_err(full)?;
+            let within = column.within(self.part);
+            self.grid.fill(Bounds::new(within.min - self.part.min, within.max - self.part.min), id);
+            unmade += 1;
+        }
+        Ok(unmade)
+    }
+}
+
+/// The columns of the chunks that touch `part`.
+pub(super) fn columns(part: Bounds) -> impl Iterator<Item = Column> {
+    let chunks = |min: i32, max: i32| min.div_euclid(CHUNK)..=(max - 1).div_euclid(CHUNK);
+    chunks(part.min.z, part.max.z)
+        .flat_map(move |z| chunks(part.min.x, part.max.x).map(move |x| Column { x: x * CHUNK, z: z * CHUNK }))
+}

@@ -1,0 +1,84 @@
+//! The blocks of a cube of 16 x 16 x 16.
+
+use super::packing::{self, bits};
+use crate::block::BlockState;
+use crate::io::ReadError;
+use crate::io::fields::Fields;
+use crate::nbt::Tag;
+
+pub(super) const CELLS: usize = 16 * 16 * 16;
+
+/// The fewest bits of a packed index into the states of a section.
+pub(super) const LEAST_BITS: usize = 4;
+
+/// Blocks by numbers of their states, x fastest, then z, then y.
+pub(super) struct Section {
+    pub states: Vec<BlockState>,
+    /// Empty where all cells hold the first state.
+    pub ids: Vec<u32>,
+}
+
+/// `None` where a section holds light alone.
+pub(super) fn read(section: &Fields) -> Result<Option<Section>, ReadError> {
+    if let Some(blocks) = section.inner("block_states")? {
+        return of_palette(&blocks, "palette", "data").map(Some);
+    }
+    if section.tags.contains_key("Palette") {
+        return of_palette(section, "Palette", "BlockStates").map(Some);
+    }
+    match section.tags.contains_key("Blocks") {
+        true => Err(ReadError::NumberedBlocks { path: section.path("Blocks") }),
+        false => Ok(None),
+    }
+}
+
+fn of_palette(fields: &Fields, palette: &str, data: &str) -> Result<Section, ReadError> {
+    let states = fields.list(palette)?.iter().map(state).collect::<Result<Vec<BlockState>, ReadError>>()?;
+    let ids = indices(fields, data, states.len(), LEAST_BITS, CELLS)?;
+    let path = || fields.path(data);
+    match ids.iter().position(|&id| id as usize >= states.len()) {
+        _ if states.is_empty() => Err(ReadError::NoStates { path: fields.path(palette) }),
+        Some(at) => Err(ReadError::PackedIndex { path: path(), at, index: ids[at], entries: states.len() }),
+        None => Ok(Section { states, ids }),
+    }
+}
+
+/// The packed indices `name`; none where there is only one value to choose from.
+pub(super) fn indices(
+    fields: &Fields,
+    name: &str,
+    entries: usize,
+    least: usize,
+    count: usize,
+) -> Result<Vec<u32>, ReadError> {
+    match fields.find::<&[i64]>(name)? {
+        None if entries <= 1 => Ok(Vec::new()),
+        None => fields.get::<&[i64]>(name).map(|_| Vec::new()),
+        Some([]) if entries <= 1 => Ok(Vec::new()),
+        Some(longs) => packing::unpack(longs, bits(entries).max(least), count).ok_or_else(|| {
+            ReadError::PackedLength { path: fields.path(name), longs: longs.len(), count, entries }
+        }),
+    }
+}
+
+fn state(fields: &Fields) -> Result<BlockState, ReadError> {
+    let mut text = fields.get::<&str>("Name")?.to_owned();
+    if let Some(properties) = fields.inner("Properties")?.filter(|fields| !fields.tags.is_empty()) {
+        let each = properties.tags.keys().map(|key| Ok(format!("{key}={}", properties.get::<&str>(key)?)));
+        text += &format!("[{}]", each.collect::<Result<Vec<String>, ReadError>>()?.join(","));
+    }
+    text.parse().map_err(|problem| ReadError::PaletteEntry {
+        path: fields.path("Name"),
+        entry: text,
+        problem,
+    })
+}
+
+/// The entry of a palette for `state`.
+pub(super) fn entry(state: &BlockState) -> Tag {
+    let name = ("Name".to_owned(), Tag::String(state.name().to_owned()));
+    let properties = state.properties().map(|(key, value)| (key.to_owned(), Tag::String(value.to_owned())));
+    let properties = ("Properties".to_owned(), Tag::Compound(properties.collect()));
+    let has_properties = state.properties().next().is_some();
+    Tag::Compound(std::iter::once(name).chain(has_properties.then_some(properties)).collect())
+}

@@ -1,0 +1,541 @@
+//! Regions: worlds written and read, old layouts, other readers' opinions, and damage.
+
+use super::{read, read_grid, tags};
+use fastanvil::{Chunk, CurrentJavaChunk};
+use ndarray::Array3;
+use proptest::collection::{btree_map, vec};
+use proptest::prelude::*;
+use std::io::{Cursor, Write};
+use std::path::Path;
+use tempfile::TempDir;
+use vox::block::{BlockState, Palette, complete};
+use vox::grid::{BiomeMap, Biomes, Entity, Grid};
+use vox::io::{
+    Content, Decoded, EncodedRegions, Limits, Lost, ReadError, Warning, encode_regions, read_world,
+};
+use vox::nbt::{self, Compound, Tag};
+use vox::space::{Bounds, Cell};
+
+fn world(regions: &EncodedRegions) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    for (name, bytes) in &regions.files {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, bytes).unwrap();
+    }
+    folder
+}
+
+fn grid_of(decoded: Decoded) -> Grid {
+    match decoded.content {
+        Content::Grid(grid) => grid,
+        Content::Boxes(_) => panic!("expected a grid"),
+    }
+}
+
+fn read_part(folder: &Path, at: Cell, size: Cell) -> Result<Decoded, ReadError> {
+    read_world(folder, Some(Bounds::new(at, at + size)), &Limits::default())
+}
+
+fn state(text: &str) -> BlockState {
+    complete(&text.parse().unwrap())
+}
+
+fn note_blocks(count: usize) -> Palette {
+    let mut palette = Palette::default();
+    for n in 1..count {
+        palette.intern(&state("note_block").with("note", &n.to_string())).unwrap();
+    }
+    palette
+}
+
+fn any_grid() -> impl Strategy<Value = Grid> {
+    let size = (1..36usize, 1..36usize, 1..36usize, 1..400usize);
+    let cells = size.prop_flat_map(|(x, y, z, count)| {
+        vec(0..count as u16, x * y * z).prop_map(move |cells| {
+            let cells = Array3::from_shape_vec((y, z, x), cells).unwrap();
+            Grid::from_cells(cells, note_blocks(count)).unwrap()
+        })
+    });
+    let block_entities = btree_map([0..36i32, 0..36i32, 0..36i32], "[a-z]{1,9}", 0..6);
+    let entities = vec(([0.0..1.0, 0.0..1.0, 0.0..1.0f64], "[a-z]{1,9}"), 0..4);
+    (cells, block_entities, entities).prop_map(|(mut grid, block_entities, entities)| {
+        for (place, id) in block_entities {
+            if grid.bounds().contains(Cell::from_array(place)) {
+                grid.block_entities.insert(place, tags([("id", Tag::String(id))]));
+            }
+        }
+        grid.metadata.data_version = Some(3700);
+        let size = grid.size().to_array();
+        let entity = |(place, id): ([f64; 3], String)| Entity {
+            place: [0, 1, 2].map(|i| (place[i] * f64::from(size[i]) * 8.0).floor() / 8.0),
+            data: tags([("id", Tag::String(id))]),
+        };
+        grid.metadata.entities = entities.into_iter().map(entity).collect();
+        grid
+    })
+}
+
+fn any_place() -> impl Strategy<Value = Cell> {
+    (-1000..1000i32, -64..280i32, -1000..1000i32).prop_map(|(x, y, z)| Cell::new(x, y, z))
+}
+
+fn sorted(mut entities: Vec<Entity>) -> Vec<Entity> {
+    entities.sort_by(|a, b| format!("{a:?}").cmp(&format!("{b:?}")));
+    entities
+}
+
+fn plains(size: Cell) -> Option<Biomes> {
+    let columns = ndarray::Array2::zeros((size.z as usize, size.x as usize));
+    Some(Biomes { names: vec!["minecraft:plains".into()], map: BiomeMap::Columns(columns) })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn what_is_written_into_a_world_is_read_from_it(grid in any_grid(), at in any_place()) {
+        let regions = encode_regions(&grid, at).unwrap();
+        prop_assert_eq!(&regions, &encode_regions(&grid, at).unwrap());
+        let decoded = read_part(world(&regions).path(), at, grid.size()).unwrap();
+        prop_assert_eq!(&decoded.warnings, &[]);
+        let back = grid_of(decoded);
+        prop_assert!(back.same_blocks(&grid));
+        prop_assert_eq!(&back.block_entities, &grid.block_entities);
+        prop_assert_eq!(sorted(back.metadata.entities), sorted(grid.metadata.entities.clone()));
+        prop_assert_eq!(back.metadata.biomes, plains(grid.size()));
+        prop_assert_eq!(back.metadata.data_version, Some(3700));
+    }
+
+    #[test]
+    fn another_reader_sees_the_same_blocks(grid in any_grid(), at in any_place()) {
+        let regions = encode_regions(&grid, at).unwrap();
+        let mut seen = 0;
+        for (name, bytes) in regions.files.iter().filter(|(name, _)| name.starts_with("region/")) {
+            let mut region = fastanvil::Region::from_stream(Cursor::new(bytes)).unwrap();
+            let place: Vec<i32> = name.split('.').filter_map(|word| word.parse().ok()).collect();
+            for chunk in region.iter().map(Result::unwrap) {
+                let low = [place[0] * 512 + chunk.x as i32 * 16, place[1] * 512 + chunk.z as i32 * 16];
+                let blocks: CurrentJavaChunk = fastnbt::from_bytes(&chunk.data).unwrap();
+                let column = Bounds::new(Cell::new(low[0], at.y, low[1]), Cell::new(low[0] + 16, at.y + grid.size().y, low[1] + 16));
+                for cell in column.intersect(&Bounds::new(at, at + grid.size())).cells() {
+                    let block = blocks.block((cell.x - low[0]) as usize, cell.y as isize, (cell.z - low[1]) as usize);
+                    let expected = grid.get(cell - at);
+                    // This reader leaves `powered` out of its descriptions.
+                    let described = expected.to_string().replace(",powered=false]", "").replace('[', "|");
+                    prop_assert_eq!(block.unwrap().encoded_description().trim_end_matches('|'), described);
+                    seen += 1;
+                }
+            }
+        }
+        prop_assert_eq!(seen, grid.bounds().volume());
+    }
+
+    #[test]
+    fn damaged_regions_are_read_or_refused(
+        at in 0..16_384usize, byte: u8, kind in 0..4usize,
+    ) {
+        let mut bytes = region(&[([0, 0], &chunk_1_13([0, 0]))], KINDS[kind]);
+        let at = at % bytes.len();
+        bytes[at] = byte;
+        let _ = read(&bytes);
+        let _ = read(&bytes[..at]);
+    }
+}
+
+#[test]
+fn a_region_alone_gives_its_blocks_without_the_air_around() {
+    let mut grid = Grid::new(Cell::new(20, 5, 9));
+    let id = grid.intern(&state("stone")).unwrap();
+    grid.fill(Bounds::new(Cell::new(3, 1, 2), Cell::new(18, 4, 7)), id);
+    let regions = encode_regions(&grid, Cell::new(-700, 60, 40)).unwrap();
+    assert_eq!(regions.files.iter().map(|(name, _)| &name[..]).collect::<Vec<_>>(), ["region/r.-2.0.mca"]);
+    let back = read_grid(&regions.files[0].1);
+    assert_eq!(back.size(), Cell::new(15, 3, 5));
+    assert!(back.bounds().cells().all(|cell| *back.get(cell) == state("stone")));
+    let folder = world(&regions);
+    for path in ["", "region", "region/r.-2.0.mca"] {
+        let found = read_world(&folder.path().join(path), None, &Limits::default()).unwrap();
+        assert!(grid_of(found).same_blocks(&back), "{path}");
+    }
+}
+
+#[test]
+fn chunks_to_be_left_alone_are_left_out_and_others_have_air() {
+    let mut grid = Grid::new(Cell::new(32, 1, 16));
+    let void = grid.intern(&BlockState::structure_void()).unwrap();
+    grid.fill(Bounds::new(Cell::ZERO, Cell::new(17, 1, 16)), void);
+    let regions = encode_regions(&grid, Cell::ZERO).unwrap();
+    assert_eq!(regions.lost, [Lost::LeftAlone(16)]);
+    let decoded = read_part(world(&regions).path(), Cell::ZERO, grid.size()).unwrap();
+    assert_eq!(decoded.warnings, [Warning::ChunksNotMade(1)]);
+    let back = grid_of(decoded);
+    for cell in back.bounds().cells() {
+        assert_eq!(back.get(cell).short_name(), if cell.x < 16 { "structure_void" } else { "air" });
+    }
+}
+
+#[test]
+fn biomes_stand_for_cubes_of_four() {
+    let mut grid = Grid::new(Cell::new(8, 8, 8));
+    let names = vec!["minecraft:desert".to_owned(), "minecraft:river".to_owned()];
+    let cells = |step: usize| Array3::from_shape_fn((8, 8, 8), |(y, z, x)| ((y + z + x) / step % 2) as u16);
+    let cubes = Array3::from_shape_fn((8, 8, 8), |(y, z, x)| ((y / 4 + z / 4 + x / 4) % 2) as u16);
+    for (map, lost) in [(cubes, vec![]), (cells(1), vec![Lost::Biomes])] {
+        grid.metadata.biomes = Some(Biomes { names: names.clone(), map: BiomeMap::Cells(map) });
+        let regions = encode_regions(&grid, Cell::new(16, 0, -32)).unwrap();
+        assert_eq!(regions.lost, lost);
+        let decoded = read_part(world(&regions).path(), Cell::new(16, 0, -32), grid.size()).unwrap();
+        assert_eq!(grid_of(decoded).metadata.biomes == grid.metadata.biomes, lost.is_empty());
+    }
+}
+
+#[test]
+fn chunks_too_long_for_a_region_stand_beside_it() {
+    let mut grid = Grid::new(Cell::ONE);
+    let mut noise: u64 = 1;
+    let next = |_| {
+        noise = noise.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (noise >> 33) as i64 | (noise << 31).cast_signed()
+    };
+    let data = Tag::LongArray((0..200_000).map(next).collect());
+    grid.block_entities.insert([0; 3], tags([("id", Tag::String("a:b".into())), ("data", data)]));
+    let regions = encode_regions(&grid, Cell::new(-1, 0, 0)).unwrap();
+    let names: Vec<&str> = regions.files.iter().map(|(name, _)| &name[..]).collect();
+    assert_eq!(names, ["region/r.-1.0.mca", "region/c.-1.0.mcc"]);
+    let folder = world(&regions);
+    let back = grid_of(read_part(folder.path(), Cell::new(-1, 0, 0), Cell::ONE).unwrap());
+    assert_eq!(back.block_entities, grid.block_entities);
+    let error = read(&regions.files[0].1).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "the chunk (31, 0) of the region: it is kept in a file of its own, `c.<x>.<z>.mcc` beside the region, \
+         which cannot be read"
+    );
+}
+
+#[test]
+fn builds_that_no_world_holds_are_refused() {
+    let mut grid = Grid::new(Cell::ONE);
+    let refusal = |grid: &Grid, at: Cell| encode_regions(grid, at).unwrap_err().to_string();
+    assert!(
+        refusal(&grid, Cell::new(i32::MAX, 0, 0))
+            .starts_with("the build would reach from (2147483647, 0, 0)")
+    );
+    assert_eq!(encode_regions(&grid, Cell::new(0, 400, 0)).unwrap().lost, [Lost::OutsideHeights]);
+    grid.metadata.data_version = Some(2230);
+    assert!(refusal(&grid, Cell::ZERO).starts_with("the blocks are of the data version 2230, but chunks"));
+}
+
+#[test]
+fn worlds_beyond_the_limits_ask_for_a_box() {
+    let mut grid = Grid::new(Cell::new(100, 1, 1));
+    let id = grid.intern(&state("stone")).unwrap();
+    grid.fill(grid.bounds(), id);
+    let folder = world(&encode_regions(&grid, Cell::ZERO).unwrap());
+    let limits = Limits { max_cells: 50, ..Limits::default() };
+    let error = read_world(folder.path(), None, &limits).unwrap_err().to_string();
+    assert!(error.starts_with("the blocks reach from (0, 0, 0) to (99, 0, 0), or further"), "{error}");
+    let part = Bounds::new(Cell::new(90, 0, 0), Cell::new(110, 1, 1));
+    let back = grid_of(read_world(folder.path(), Some(part), &limits).unwrap());
+    assert_eq!(back.cells().iter().filter(|&&id| id != Palette::AIR).count(), 10);
+}
+
+const KINDS: [u8; 4] = [1, 2, 3, 4];
+
+fn pack(plain: &[u8], kind: u8) -> Vec<u8> {
+    let level = flate2::Compression::default();
+    match kind {
+        1 => {
+            let mut encoder = flate2::write::GzEncoder::new(Vec::new(), level);
+            encoder.write_all(plain).unwrap();
+            encoder.finish().unwrap()
+        }
+        2 => {
+            let mut encoder = flate2::write::ZlibEncoder::new(Vec::new(), level);
+            encoder.write_all(plain).unwrap();
+            encoder.finish().unwrap()
+        }
+        4 => {
+            let mut packed = Vec::new();
+            let mut encoder = lz4_java_wrc::Lz4BlockOutput::new(&mut packed);
+            encoder.write_all(plain).unwrap();
+            encoder.flush().unwrap();
+            drop(encoder);
+            packed
+        }
+        _ => plain.to_vec(),
+    }
+}
+
+/// A region of the given chunks, by their slots.
+fn region(chunks: &[([usize; 2], &Compound)], kind: u8) -> Vec<u8> {
+    let mut bytes = vec![0; 8192];
+    for ([x, z], root) in chunks {
+        let packed = pack(&nbt::write("", root).unwrap(), kind);
+        let sector = (bytes.len() / 4096) as u32;
+        bytes.extend((packed.len() as u32 + 1).to_be_bytes());
+        bytes.push(kind);
+        bytes.extend(packed);
+        bytes.resize(bytes.len().next_multiple_of(4096), 0);
+        let sectors = (bytes.len() / 4096) as u32 - sector;
+        let entry = 4 * (z * 32 + x);
+        bytes[entry..entry + 4].copy_from_slice(&(sector << 8 | sectors).to_be_bytes());
+    }
+    bytes
+}
+
+fn compound<const N: usize>(entries: [(&str, Tag); N]) -> Tag {
+    Tag::Compound(tags(entries))
+}
+
+/// Air, and 17 kinds of note blocks: five bits an index, which do not divide a long.
+fn old_palette() -> Tag {
+    let note = |n: i32| {
+        let properties = compound([("note", Tag::String(n.to_string()))]);
+        compound([("Name", Tag::String("minecraft:note_block".into())), ("Properties", properties)])
+    };
+    let air = compound([("Name", Tag::String("minecraft:air".into()))]);
+    Tag::List(std::iter::once(air).chain((1..18).map(note)).collect())
+}
+
+fn old_index(at: usize) -> u64 {
+    (at * 7 % 18) as u64
+}
+
+fn old_chunk([x, z]: [i32; 2], data_version: i32, longs: Vec<i64>) -> Compound {
+    let chest = compound([
+        ("id", Tag::String("minecraft:chest".into())),
+        ("x", Tag::Int(16 * x + 3)),
+        ("y", Tag::Int(17)),
+        ("z", Tag::Int(16 * z + 15)),
+        ("keepPacked", Tag::Byte(0)),
+    ]);
+    let place = [16 * x, 20, 16 * z].map(|n| Tag::Double(f64::from(n) + 0.5)).to_vec();
+    let cow = compound([("id", Tag::String("minecraft:cow".into())), ("Pos", Tag::List(place))]);
+    let light = compound([("Y", Tag::Byte(-1)), ("SkyLight", Tag::ByteArray(vec![0; 2048]))]);
+    let section =
+        compound([("Y", Tag::Byte(1)), ("Palette", old_palette()), ("BlockStates", Tag::LongArray(longs))]);
+    let level = compound([
+        ("xPos", Tag::Int(x)),
+        ("zPos", Tag::Int(z)),
+        ("Status", Tag::String("full".into())),
+        ("Biomes", Tag::IntArray(vec![1; 256])),
+        ("Sections", Tag::List(vec![light, section])),
+        ("TileEntities", Tag::List(vec![chest])),
+        ("Entities", Tag::List(vec![cow])),
+    ]);
+    tags([("DataVersion", Tag::Int(data_version)), ("Level", level)])
+}
+
+fn chunk_1_13(place: [i32; 2]) -> Compound {
+    let mut longs = vec![0_u64; 5 * 64];
+    for at in 0..4096 {
+        for bit in (0..5).filter(|bit| old_index(at) >> bit & 1 == 1) {
+            longs[(5 * at + bit) / 64] |= 1 << ((5 * at + bit) % 64);
+        }
+    }
+    old_chunk(place, 1631, longs.into_iter().map(u64::cast_signed).collect())
+}
+
+fn chunk_1_16(place: [i32; 2]) -> Compound {
+    let mut longs = vec![0_u64; 4096_usize.div_ceil(12)];
+    for at in 0..4096 {
+        longs[at / 12] |= old_index(at) << (at % 12 * 5);
+    }
+    old_chunk(place, 2586, longs.into_iter().map(u64::cast_signed).collect())
+}
+
+#[test]
+fn chunks_since_1_13_are_read_in_both_packings_and_all_compressions() {
+    for (chunk, data_version) in [(chunk_1_13([-32, 1]), 1631), (chunk_1_16([-32, 1]), 2586)] {
+        for kind in KINDS {
+            let decoded = read(&region(&[([0, 1], &chunk)], kind)).unwrap();
+            assert_eq!(decoded.warnings, [Warning::BiomesByNumber]);
+            let grid = grid_of(decoded);
+            assert_eq!(grid.size(), Cell::splat(16));
+            for (at, cell) in grid.bounds().cells().enumerate() {
+                let note = grid.get(cell).get("note").map_or(0, |note| note.parse().unwrap());
+                assert_eq!(note, old_index(at), "{data_version}, compression {kind}, {cell}");
+            }
+            let chest = tags([("id", Tag::String("minecraft:chest".into()))]);
+            assert_eq!(grid.block_entities, [([3, 1, 15], chest)].into());
+            let cow =
+                Entity { place: [0.5, 4.5, 0.5], data: tags([("id", Tag::String("minecraft:cow".into()))]) };
+            assert_eq!(grid.metadata.entities, [cow]);
+            assert_eq!(grid.metadata.data_version, Some(data_version));
+            assert_eq!(grid.metadata.offset, Cell::ZERO);
+        }
+    }
+}
+
+#[test]
+fn chunks_of_several_versions_or_in_the_wrong_place_are_told_of() {
+    let (first, second, third) = (chunk_1_13([0, 0]), chunk_1_16([1, 0]), chunk_1_16([7, 7]));
+    let decoded = read(&region(&[([0, 0], &first), ([1, 0], &second), ([2, 0], &third)], 2)).unwrap();
+    assert_eq!(
+        decoded.warnings,
+        [
+            Warning::BiomesByNumber,
+            Warning::MixedVersions { first: 1631, last: 2586 },
+            Warning::ChunksMisplaced(1)
+        ]
+    );
+    assert_eq!(grid_of(decoded).size(), Cell::new(32, 16, 16));
+}
+
+/// What is put into the body of a good chunk, and the message it is refused with.
+fn broken_chunks() -> Vec<(Compound, &'static str)> {
+    let level = |name: &str, tag: Tag| {
+        let mut root = chunk_1_16([0, 0]);
+        let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
+        level.insert(name.to_owned(), tag);
+        root
+    };
+    let section = |name: &str, tag: Tag| {
+        let mut root = chunk_1_16([0, 0]);
+        let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
+        let Some(Tag::List(sections)) = level.get_mut("Sections") else { panic!("no sections") };
+        let Tag::Compound(section) = &mut sections[1] else { panic!("no section") };
+        section.insert(name.to_owned(), tag);
+        root
+    };
+    let numbered = compound([("Y", Tag::Byte(0)), ("Blocks", Tag::ByteArray(vec![0; 4096]))]);
+    vec![
+        (level("xPos", Tag::String("0".into())), "the tag `Level.xPos` is a String: expected an Int"),
+        (section("Y", Tag::Int(200)), "the tag `Level.Sections[1].Y` is an Int (200): expected a Byte"),
+        (
+            section("Palette", Tag::List(vec![])),
+            "`Level.Sections[1].BlockStates` holds 342 longs, into which 4096",
+        ),
+        (
+            section("BlockStates", Tag::LongArray(vec![0; 341])),
+            "`Level.Sections[1].BlockStates` holds 341 longs, into which 4096 indices of 18 entries are never packed",
+        ),
+        (
+            section("BlockStates", Tag::LongArray(vec![-1; 342])),
+            "`Level.Sections[1].BlockStates`, number 0: index 31 is not in the palette of 18 entries",
+        ),
+        (
+            section("Palette", Tag::List(vec![compound([("Name", Tag::String("Stone".into()))])])),
+            "the entry `Stone` of `Level.Sections[1].Palette[0].Name` is no block state: ",
+        ),
+        (
+            level("Sections", Tag::List(vec![numbered])),
+            "`Level.Sections[0].Blocks` holds blocks by number, as before Minecraft 1.13",
+        ),
+    ]
+}
+
+#[test]
+fn broken_chunks_are_refused_with_their_field() {
+    for (chunk, message) in broken_chunks() {
+        let error = read(&region(&[([0, 0], &chunk)], 3)).unwrap_err().to_string();
+        let expected = format!("the chunk (0, 0) of the region: {message}");
+        assert!(error.starts_with(&expected), "expected: {expected}\n   found: {error}");
+    }
+}
+
+#[test]
+fn broken_tables_are_refused() {
+    let good = region(&[([5, 3], &chunk_1_16([5, 3]))], 2);
+    let table = 4 * (3 * 32 + 5);
+    let with = |at: usize, bytes: &[u8]| {
+        let mut broken = good.clone();
+        broken[at..at + bytes.len()].copy_from_slice(bytes);
+        broken
+    };
+    let cases = [
+        (with(8192, &[0, 0, 0, 0]), "its length is 0, but"),
+        (with(8192, &[255, 255, 255, 255]), "its length is 4294967295, but"),
+        (with(8196, &[9]), "its compression is 9: expected 1 (gzip), 2 (zlib), 3 (none) or 4 (LZ4)"),
+        (with(8196, &[130]), "it is kept in a file of its own"),
+        (with(8197, &[7, 7]), "its packed data are damaged: "),
+        (with(8196, &[4]), "its packed data are damaged: a block of LZ4 does not begin with `LZ4Block`"),
+        (with(8196, &[3]), "broken NBT at byte 0: expected a compound (tag type 10) at the root"),
+        (good[..8200].to_vec(), "its length is"),
+    ];
+    for (bytes, message) in cases {
+        let error = read(&bytes).unwrap_err().to_string();
+        let expected = format!("the chunk (5, 3) of the region: {message}");
+        assert!(error.starts_with(&expected), "expected: {expected}\n   found: {error}");
+    }
+    // Such tables do not even look like one, unless the name of the file says so.
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("r.0.0.mca");
+    for (bytes, message) in [
+        (
+            with(table, &[0, 0, 1, 1]),
+            "r.0.0.mca: the chunk (5, 3) of the region: the table says sector 1, but",
+        ),
+        (
+            with(table, &[255, 0, 0, 1]),
+            "r.0.0.mca: the chunk (5, 3) of the region: the table says sector 16711680,",
+        ),
+        (vec![1, 2, 3], "r.0.0.mca: the region is 3 bytes long: its table alone takes 8,192"),
+        (Vec::new(), "there is no block but air"),
+    ] {
+        std::fs::write(&path, bytes).unwrap();
+        let error = read_world(&path, None, &Limits::default()).unwrap_err().to_string();
+        assert!(error.starts_with(message), "expected: {message}\n   found: {error}");
+    }
+}
+
+#[test]
+fn chunks_that_share_their_sectors_are_read_once() {
+    let mut bytes = region(&[([0, 0], &chunk_1_16([0, 0]))], 2);
+    bytes.copy_within(0..4, 4);
+    let decoded = read(&bytes).unwrap();
+    assert_eq!(decoded.warnings, [Warning::BiomesByNumber, Warning::ChunksMisplaced(1)]);
+    assert_eq!(grid_of(decoded).size(), Cell::splat(16));
+}
+
+#[test]
+fn bombs_stop_at_the_limit_of_the_region() {
+    let mut chunk = chunk_1_16([0, 0]);
+    chunk.insert("zeros".into(), Tag::ByteArray(vec![0; 1 << 20]));
+    let limits = Limits { max_bytes: 3 << 20, ..Limits::default() };
+    for kind in [1, 2, 4] {
+        let mut bytes = region(&[([0, 0], &chunk)], kind);
+        assert!(bytes.len() < 1 << 16, "{} bytes", bytes.len());
+        for slot in 1..32 {
+            bytes.copy_within(0..4, 4 * slot);
+        }
+        let error = vox::io::decode(&bytes, &limits).unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "the chunk (2, 0) of the region: the chunks of the region unpack to more than 3145728 bytes, the limit"
+        );
+    }
+}
+
+#[test]
+fn half_made_chunks_count_as_not_made() {
+    let mut root = chunk_1_16([0, 0]);
+    let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
+    level.insert("Status".into(), Tag::String("structure_starts".into()));
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("r.0.0.mca");
+    std::fs::write(&path, region(&[([0, 0], &root)], 2)).unwrap();
+    let decoded = read_part(&path, Cell::ZERO, Cell::splat(16)).unwrap();
+    assert_eq!(decoded.warnings, [Warning::ChunksNotMade(1)]);
+}
+
+#[test]
+fn a_folder_without_regions_and_a_box_without_cells_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let error = read_world(folder.path(), None, &Limits::default()).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "the folder holds no region: expected files `r.<x>.<z>.mca`, or a folder `region` with such"
+    );
+    std::fs::write(folder.path().join("r.0.0.mca"), []).unwrap();
+    for part in [
+        Bounds::new(Cell::ZERO, Cell::new(0, 1, 1)),
+        Bounds::new(Cell::MIN, Cell::MAX),
+        Bounds::new(Cell::splat(i32::MAX - 1), Cell::MAX),
+    ] {
+        let error = read_world(folder.path(), Some(part), &Limits::default()).unwrap_err().to_string();
+        assert!(error.starts_with("no part of a world reaches from ("), "{error}");
+    }
+}
