@@ -23,4 +23,4 @@ pub use palette::{Palette, PaletteFull};
 pub use shape::{Arm, Bend, Half, Hung, Leaves, Plant, Post, Shape, Sides, Slope, shape};
 pub use state::{BadBlockState, BlockState};
 pub use suggest::suggest;
-pub use turn::Mirror;
+pub use turn::{Mirror, Motion};

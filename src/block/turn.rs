@@ -1,6 +1,7 @@
 use super::{BlockState, Facing};
 use crate::space::{Axis, Turn};
 use std::borrow::Cow;
+use std::ops::Neg;
 
 /// A reflection that leaves up and down in their places.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -26,9 +27,9 @@ impl Mirror {
     }
 }
 
-/// Where a block may be put: any of the four turns, or a reflection.
-#[derive(Clone, Copy)]
-enum Motion {
+/// How a building may be put elsewhere: by any of the four turns, or a reflection.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Motion {
     Turn(Turn),
     Mirror(Mirror),
 }
@@ -44,7 +45,8 @@ impl BlockState {
         self.moved(Motion::Mirror(mirror))
     }
 
-    fn moved(&self, motion: Motion) -> BlockState {
+    /// This state on a building that is moved.
+    pub fn moved(&self, motion: Motion) -> BlockState {
         self.map(|key, value| match key {
             "north" | "east" | "south" | "west" => (motion.word(key), value.into()),
             _ => (key, motion.value(key, value)),
@@ -53,7 +55,36 @@ impl BlockState {
 }
 
 impl Motion {
-    fn facing(self, facing: Facing) -> Facing {
+    /// Moves a vector about the origin.
+    pub fn apply<T: Copy + Neg<Output = T>>(self, [x, y, z]: [T; 3]) -> [T; 3] {
+        match self {
+            Motion::Turn(turn) => match turn.count() {
+                0 => [x, y, z],
+                1 => [z, y, -x],
+                2 => [-x, y, -z],
+                _ => [-z, y, x],
+            },
+            Motion::Mirror(Mirror::X) => [-x, y, z],
+            Motion::Mirror(Mirror::Z) => [x, y, -z],
+        }
+    }
+
+    /// Moves an angle in degrees, clockwise from south.
+    pub fn angle(self, degrees: f64) -> f64 {
+        match self {
+            Motion::Turn(turn) => degrees - 90.0 * f64::from(turn.count()),
+            Motion::Mirror(Mirror::X) => -degrees,
+            Motion::Mirror(Mirror::Z) => 180.0 - degrees,
+        }
+    }
+
+    /// Moves a sixteenth of a circle, clockwise from south.
+    pub fn sixteenth(self, sixteenth: i32) -> i32 {
+        const DEGREES: f64 = 22.5;
+        (self.angle(f64::from(sixteenth) * DEGREES) / DEGREES).rem_euclid(16.0) as i32
+    }
+
+    pub fn facing(self, facing: Facing) -> Facing {
         match self {
             Motion::Turn(turn) => facing.turned(turn),
             Motion::Mirror(mirror) => mirror.apply(facing),
@@ -89,15 +120,11 @@ impl Motion {
         }
     }
 
-    /// Sixteenths of a circle, clockwise from south.
     fn rotation(self, value: &str) -> Cow<'_, str> {
-        let Ok(rotation) = value.parse::<i32>() else { return value.to_owned().into() };
-        let moved = match self {
-            Motion::Turn(turn) => rotation - 4 * i32::from(turn.count()),
-            Motion::Mirror(Mirror::X) => -rotation,
-            Motion::Mirror(Mirror::Z) => 8 - rotation,
-        };
-        moved.rem_euclid(16).to_string().into()
+        match value.parse() {
+            Ok(rotation) => self.sixteenth(rotation).to_string().into(),
+            Err(_) => value.to_owned().into(),
+        }
     }
 
     /// Left and right hand change places in a mirror: stair corners, door hinges, halves of chests.

@@ -1,8 +1,11 @@
 //! The voxel grid: palette indices in an `ndarray`, block entities, and what a file says of itself.
 //! Knows nothing of text or files.
 
+mod crop;
+mod entity;
 mod labelled;
 mod metadata;
+mod turn;
 
 use crate::block::{BlockState, Palette, PaletteFull};
 use crate::nbt::Compound;
