@@ -39,7 +39,7 @@ impl Family {
         families.next().or_else(|| Family::alone(name))
     }
 
-    fn of_material(material: &str) -> Option<Family> {
+    pub(super) fn of_material(material: &str) -> Option<Family> {
         let find = |suffix: &str| known(&format!("{material}{suffix}"));
         let member = |suffix: &str| Some(find(suffix)?.default_state());
         let planks = member("_planks");
@@ -69,9 +69,15 @@ impl Family {
 
     /// All members there are, the full block first.
     pub fn members(&self) -> impl Iterator<Item = &BlockState> {
-        let cut = [&self.stairs, &self.slab, &self.wall, &self.fence];
-        let made = [&self.fence_gate, &self.door, &self.trapdoor, &self.log];
-        std::iter::once(&self.full).chain(cut.into_iter().chain(made).flatten())
+        self.roles().into_iter().flatten()
+    }
+
+    /// The members in the order of the fields.
+    pub(super) fn roles(&self) -> [Option<&BlockState>; 9] {
+        let Family { full, stairs, slab, wall, fence, fence_gate, door, trapdoor, log } = self;
+        let [stairs, slab, wall, fence] = [stairs, slab, wall, fence].map(Option::as_ref);
+        let [fence_gate, door, trapdoor, log] = [fence_gate, door, trapdoor, log].map(Option::as_ref);
+        [Some(full), stairs, slab, wall, fence, fence_gate, door, trapdoor, log]
     }
 
     /// Whether `name` is a member, or no block at all but a material that something is cut from: a full block
@@ -87,7 +93,7 @@ fn is_full(state: &BlockState) -> bool {
 }
 
 /// The materials that a block of this name can be a member of.
-fn materials(name: &str) -> impl Iterator<Item = &str> {
+pub(super) fn materials(name: &str) -> impl Iterator<Item = &str> {
     let suffixes = MEMBERS.into_iter().chain(["s", ""]);
     suffixes.filter_map(move |suffix| name.strip_suffix(suffix)).filter(|material| !material.is_empty())
 }

@@ -2,6 +2,7 @@
 
 mod boxes;
 mod color;
+mod counterpart;
 mod facing;
 mod family;
 mod known;
@@ -15,6 +16,7 @@ mod turn;
 
 pub use boxes::{Cuboid, boxes};
 pub use color::{Rgba, color};
+pub use counterpart::counterpart;
 pub use facing::Facing;
 pub use family::Family;
 pub use known::{BadProperty, Known, Property, all, check, complete, known};
