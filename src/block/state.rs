@@ -63,6 +63,11 @@ impl BlockState {
         &*self.name == "minecraft:air"
     }
 
+    /// Whether no block stands here: air of any kind, or a cell that is left alone.
+    pub fn is_nothing(&self) -> bool {
+        matches!(self.short_name(), "air" | "cave_air" | "void_air" | "structure_void")
+    }
+
     /// The properties, sorted by key.
     pub fn properties(&self) -> impl ExactSizeIterator<Item = (&str, &str)> {
         self.properties.iter().map(|(key, value)| (&**key, &**value))

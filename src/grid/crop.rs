@@ -34,7 +34,7 @@ impl Grid {
     }
 
     fn built(&self) -> Option<Bounds> {
-        let solid: Vec<bool> = self.palette.states().iter().map(|state| !is_nothing(state)).collect();
+        let solid: Vec<bool> = self.palette.states().iter().map(|state| !state.is_nothing()).collect();
         let rows = self.cells.rows().into_iter().zip(row_places(self.size()));
         let spans = rows.filter_map(|(row, place)| {
             let is_solid = |id: &u16| solid[usize::from(*id)];
@@ -53,11 +53,6 @@ fn row_places(size: Cell) -> impl Iterator<Item = Cell> {
 
 fn one(cell: Cell) -> Bounds {
     Bounds::new(cell, cell.saturating_add(Cell::ONE))
-}
-
-/// Air of any kind, or a cell that is left alone.
-fn is_nothing(state: &BlockState) -> bool {
-    matches!(state.short_name(), "air" | "cave_air" | "void_air" | "structure_void")
 }
 
 fn part<'a>(cells: ArrayView3<'a, u16>, bounds: Bounds) -> ArrayView3<'a, u16> {

@@ -1,10 +1,13 @@
 //! The voxel grid: palette indices in an `ndarray`, block entities, and what a file says of itself.
 //! Knows nothing of text or files.
 
+mod anchor;
+mod count;
 mod crop;
 mod entity;
 mod labelled;
 mod metadata;
+mod split;
 mod turn;
 
 use crate::block::{BlockState, Palette, PaletteFull};
@@ -13,6 +16,7 @@ use crate::space::{Bounds, Cell};
 use ndarray::Array3;
 use std::collections::BTreeMap;
 
+pub use anchor::{Anchor, NoDoor};
 pub use labelled::{LabelledBox, LabelledBoxes};
 pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region};
 
