@@ -80,10 +80,15 @@ pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
 
 /// The blocks of a file; labelled boxes have none.
 pub fn grid(path: &Path, reading: &Reading) -> Result<Grid, Failure> {
-    match content(path, reading)? {
+    require_grid(&name(path), content(path, reading)?)
+}
+
+/// The blocks of what was read from the file `name`.
+pub fn require_grid(name: &str, content: Content) -> Result<Grid, Failure> {
+    match content {
         Content::Grid(grid) => Ok(grid),
         Content::Boxes(_) => {
-            let failure = Failure::of_file(&name(path), "this file holds labelled boxes, not blocks");
+            let failure = Failure::of_file(name, "this file holds labelled boxes, not blocks");
             Err(failure.hint("`vox infer` learns from labelled boxes; `vox run` then makes blocks"))
         }
     }

@@ -1,19 +1,25 @@
 //! The `vox` command: one file per subcommand. The only place with arguments, paths and colours.
 
+mod batch;
 mod check;
 mod completions;
 mod convert;
+mod crop;
 mod failure;
 mod graph;
 mod infer;
 mod info;
 mod input;
 mod output;
+mod part;
 mod progress;
 mod render;
 mod report;
 mod run;
 mod size;
+mod summary;
+mod template;
+mod turn;
 
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
@@ -45,6 +51,8 @@ enum Command {
     Info(info::Args),
     Render(render::Args),
     Convert(convert::Args),
+    Turn(turn::Args),
+    Crop(crop::Args),
     Completions(completions::Args),
 }
 
@@ -63,6 +71,8 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Info(args) => info::execute(&args),
         Command::Render(args) => render::execute(&args),
         Command::Convert(args) => convert::execute(&args),
+        Command::Turn(args) => turn::execute(&args),
+        Command::Crop(args) => crop::execute(&args),
         Command::Completions(args) => completions::execute(&args),
     };
     match result {

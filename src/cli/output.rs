@@ -3,9 +3,10 @@
 use super::failure::{Failure, io_text};
 use super::input::is_stdio;
 use super::report;
-use crate::block;
-use crate::grid::{Grid, LabelledBox};
-use crate::io::{self, Lost, SchemVersion, Staged};
+use crate::block::{self, BlockState};
+use crate::grid::{Anchor, Grid, LabelledBox};
+use crate::io::{self, Encoded, Lost, SchemVersion, Staged, WriteError};
+use crate::space::Cell;
 use crate::view;
 use clap::ValueEnum;
 use std::io::Write;
@@ -31,6 +32,37 @@ pub struct Writing {
     /// The version of .schem files: 2 opens everywhere, 3 in WorldEdit 7.3 and later
     #[arg(long, value_name = "N", default_value = "2", value_parser = schem_version)]
     pub schem_version: SchemVersion,
+    /// What air does to the world where the building is pasted
+    #[arg(long, value_enum, default_value = "keep")]
+    pub air: Air,
+    /// Where you stand when you paste the building; if not given, as the input has it
+    #[arg(long, value_enum)]
+    pub anchor: Option<Stand>,
+    /// Write pieces of at most N blocks along each axis, their numbers in their names: house_x0_y0_z1.schem
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub split: Option<u16>,
+}
+
+/// What air does to the world.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Air {
+    /// It takes away what is there
+    Keep,
+    /// It leaves alone what is there: air becomes structure_void
+    Void,
+}
+
+/// Where the player stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Stand {
+    /// Where the input has it, however far away
+    Keep,
+    /// In the low corner
+    Corner,
+    /// In the middle of the floor
+    Center,
+    /// In front of the lowest door
+    Door,
 }
 
 fn schem_version(text: &str) -> Result<SchemVersion, String> {
@@ -62,19 +94,87 @@ impl Writing {
     }
 
     /// The files of a grid.
-    pub fn grid(&self, path: &Path, grid: &Grid) -> Result<Vec<Output>, Failure> {
-        let name = path.display().to_string();
-        match self.kind(path)? {
-            Kind::Schem => {
-                let encoded = io::encode_schem(grid, self.schem_version);
-                let encoded = encoded.map_err(|error| Failure::write(&name, &error))?;
-                tell_lost(&name, &encoded.lost);
-                Ok(vec![Output::new(path, encoded.bytes)])
+    pub fn grid(&self, path: &Path, grid: Grid) -> Result<Vec<Output>, Failure> {
+        let (kind, name) = (self.kind(path)?, path.display().to_string());
+        let grid = self.prepared(&name, grid)?;
+        let Some(edge) = self.split else {
+            let (outputs, lost) = self.encoded(kind, path, &grid)?;
+            tell_lost(&name, &lost);
+            return Ok(outputs);
+        };
+        let (mut outputs, mut all_lost) = (Vec::new(), Vec::new());
+        for (number, bounds) in grid.boxes(edge) {
+            let (piece, lost) = self.encoded(kind, &piece_path(path, number)?, &grid.cropped(bounds))?;
+            outputs.extend(piece);
+            all_lost.extend(lost);
+        }
+        all_lost.dedup();
+        tell_lost(&name, &all_lost);
+        Ok(outputs)
+    }
+
+    /// The grid as it is written.
+    fn prepared(&self, name: &str, mut grid: Grid) -> Result<Grid, Failure> {
+        let failed = |error: &dyn std::fmt::Display| Failure::of_file(name, error);
+        match self.anchor {
+            None => forget_world(name, &mut grid),
+            Some(Stand::Keep) => {}
+            Some(Stand::Corner) => grid.anchor(Anchor::Corner).map_err(|error| failed(&error))?,
+            Some(Stand::Center) => grid.anchor(Anchor::Center).map_err(|error| failed(&error))?,
+            Some(Stand::Door) => grid
+                .anchor(Anchor::Door)
+                .map_err(|error| failed(&error).hint("`--anchor center` stands you in the middle"))?,
+        }
+        if self.air == Air::Void {
+            let void = BlockState::structure_void();
+            let change = |old: &BlockState| if old.is_nothing() { void.clone() } else { old.clone() };
+            grid.map_states(change).map_err(|error| failed(&error))?;
+        }
+        Ok(grid)
+    }
+
+    /// The files of a grid as it is, and what they have no place for.
+    fn encoded(&self, kind: Kind, path: &Path, grid: &Grid) -> Result<(Vec<Output>, Vec<Lost>), Failure> {
+        let one = |encoded: Result<Encoded, WriteError>| match encoded {
+            Ok(Encoded { bytes, lost }) => Ok((vec![Output::new(path, bytes)], lost)),
+            Err(error) => Err(Failure::write(&path.display().to_string(), &error)),
+        };
+        match kind {
+            Kind::Schem => one(io::encode_schem(grid, self.schem_version)),
+            Kind::Obj => Ok((mesh(path, grid), Vec::new())),
+            Kind::Png => {
+                let drawn = view::isometric(grid, &view::ViewOptions::default());
+                Ok((picture(path, &drawn)?, Vec::new()))
             }
-            Kind::Obj => Ok(mesh(path, grid)),
-            Kind::Png => picture(path, &view::isometric(grid, &view::ViewOptions::default())),
         }
     }
+}
+
+/// Some programs write places in their world where the offset belongs. Who pastes such a file finds nothing, so
+/// what is farther away than anybody copies from is left out.
+fn forget_world(name: &str, grid: &mut Grid) {
+    const FAR: i64 = 1000;
+    let (low, size) = (grid.metadata.offset.as_i64vec3(), grid.size().as_i64vec3());
+    let beyond = low.max(-(low + size));
+    if beyond.x > FAR || beyond.z > FAR {
+        report::warning(&format!(
+            "{name}: the offset ({}, {}, {}) looks like a place in a world and is left out: `--anchor keep` keeps it",
+            low.x, low.y, low.z
+        ));
+        grid.metadata.offset = Cell::ZERO;
+    }
+}
+
+/// `house.schem` becomes `house_x0_y0_z1.schem`.
+fn piece_path(path: &Path, number: Cell) -> Result<PathBuf, Failure> {
+    if is_stdio(path) {
+        let failure = Failure::new("standard output cannot hold the pieces of a building");
+        return Err(failure.hint("name a file, or leave out `--split`"));
+    }
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let numbers = format!("_x{}_y{}_z{}", number.x, number.y, number.z);
+    let ending = path.extension().map_or(String::new(), |ending| format!(".{}", ending.to_string_lossy()));
+    Ok(path.with_file_name(format!("{stem}{numbers}{ending}")))
 }
 
 /// Tells in one line what a file has no place for.
@@ -172,33 +272,4 @@ pub fn stdout(bytes: &[u8]) -> Result<(), Failure> {
 /// A value for scripts, as one line of JSON.
 pub fn json(value: &serde_json::Value) -> Result<(), Failure> {
     stdout(format!("{value}\n").as_bytes())
-}
-
-/// A path with places for a seed and a number, as in `out/house-{seed}.schem`.
-#[derive(Clone, Debug)]
-pub struct Template(String);
-
-impl Template {
-    /// The paths for these seeds, which must all differ.
-    pub fn paths(&self, seeds: &[u64]) -> Result<Vec<PathBuf>, Failure> {
-        if seeds.len() > 1 && !self.0.contains("{seed}") && !self.0.contains("{number}") {
-            let failure =
-                Failure::of_file(&self.0, format!("{} files cannot all have this name", seeds.len()));
-            return Err(
-                failure.hint("write {seed} or {number} where they differ: -o 'out/house-{seed}.schem'")
-            );
-        }
-        let path = |(number, seed): (usize, &u64)| {
-            let width = seeds.len().to_string().len();
-            let number = format!("{:0width$}", number + 1);
-            PathBuf::from(self.0.replace("{seed}", &seed.to_string()).replace("{number}", &number))
-        };
-        Ok(seeds.iter().enumerate().map(path).collect())
-    }
-}
-
-impl From<&str> for Template {
-    fn from(text: &str) -> Template {
-        Template(text.to_owned())
-    }
 }

@@ -1,9 +1,11 @@
 use super::failure::Failure;
 use super::input;
-use super::output::{self, Kind, Template, Writing};
+use super::output::{self, Kind, Writing};
 use super::progress::Progress;
 use super::report::{self, Source};
 use super::size::SizeArg;
+use super::summary::{self, Summary};
+use super::template::Template;
 use crate::graph::OpGraph;
 use crate::run::{self, Library, Limits, Made, Options, Overrun};
 use crate::space::Cell;
@@ -71,7 +73,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     let graph = input::graph(&source, args.start.as_deref())?;
     let library = input::library(&graph, &args.grammar)?;
     let seeds: Vec<u64> = (0..u64::from(args.number)).map(|number| args.seed.wrapping_add(number)).collect();
-    let paths = args.output.paths(&seeds)?;
+    let paths = args.output.of_seeds(&seeds)?;
     if let Some(path) = paths.first() {
         let kind = args.writing.kind(path)?;
         let is_obj = kind == Kind::Obj || (input::is_stdio(path) && args.writing.format.is_none());
@@ -85,18 +87,23 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
         }
     }
     let progress = Progress::new(seeds.len());
+    let mut summary = Summary::default();
     for (seed, path) in seeds.into_iter().zip(&paths) {
-        let size = make(args, &source, &graph, &library, seed, path)?;
-        if args.json {
-            let [x, y, z] = size.to_array();
-            output::json(&json!({ "file": path.display().to_string(), "seed": seed, "size": [x, y, z] }))?;
+        let (size, what) = make(args, &source, &graph, &library, seed, path)?;
+        match args.json {
+            true => output::json(&json!({
+                "file": path.display().to_string(), "seed": seed, "size": size.to_array(),
+            }))?,
+            false => summary.add(path, what),
         }
         progress.step();
     }
+    drop(progress);
+    summary.tell();
     Ok(())
 }
 
-/// Makes and writes one building; gives back its size in the world.
+/// Makes and writes one building; gives back its size in the world, and what it is in a few words.
 fn make(
     args: &Args,
     source: &Source,
@@ -104,7 +111,7 @@ fn make(
     library: &Library,
     seed: u64,
     path: &Path,
-) -> Result<Cell, Failure> {
+) -> Result<(Cell, String), Failure> {
     let options = Options {
         seed,
         size: args.size.map(|size| size.0),
@@ -120,11 +127,13 @@ fn make(
         let boxes = told(source, run::run_boxes(graph, &options).map_err(fail)?);
         output::write(&output::boxes(path, &boxes), inputs)?;
         let size = boxes.iter().map(|labelled| labelled.bounds).reduce(|all, next| all.union(&next));
-        return Ok(size.map_or(Cell::ZERO, |bounds| bounds.size()));
+        let what = summary::boxes(boxes.len());
+        return Ok((size.map_or(Cell::ZERO, |bounds| bounds.size()), what));
     }
     let grid = told(source, run::run(graph, library, &options).map_err(fail)?);
-    output::write(&args.writing.grid(path, &grid)?, inputs)?;
-    Ok(grid.size())
+    let (size, what) = (grid.size(), summary::building(&grid));
+    output::write(&args.writing.grid(path, grid)?, inputs)?;
+    Ok((size, what))
 }
 
 /// What was made; the warnings are told.

@@ -1,0 +1,101 @@
+//! What commands share that read buildings and write each again.
+
+use super::failure::Failure;
+use super::input::{self, Reading};
+use super::output::{self, Kind, Writing};
+use super::progress::Progress;
+use super::summary::{self, Summary};
+use super::template::Template;
+use crate::grid::Grid;
+use crate::io::Content;
+use std::path::{Path, PathBuf};
+
+/// Files to read, and what to write.
+#[derive(clap::Args)]
+pub struct Batch {
+    /// What to read, or - for standard input. Its content tells what it is, not its name
+    #[arg(required = true)]
+    inputs: Vec<PathBuf>,
+    /// What to write: .schem, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
+    /// input without its ending, and for its number
+    output: Template,
+    #[command(flatten)]
+    writing: Writing,
+}
+
+impl Batch {
+    /// Reads each input, and writes what `work` makes of it and of its name. Of several inputs, those that fail are
+    /// told, and the others go on.
+    pub fn each(
+        &self,
+        reading: &Reading,
+        work: impl Fn(&str, Content) -> Result<Content, Failure>,
+    ) -> Result<(), Failure> {
+        let inputs = input::paths(&self.inputs)?;
+        let outputs = self.output.of_inputs(&inputs)?;
+        outputs.iter().take(1).try_for_each(|output| self.writing.kind(output).map(drop))?;
+        let progress = Progress::new(inputs.len());
+        let (mut summary, mut failures) = (Summary::default(), Vec::new());
+        for (input, output) in inputs.iter().zip(&outputs) {
+            let made = input::content(input, reading).and_then(|content| work(&input::name(input), content));
+            match made.and_then(|made| self.write(input, output, made, &inputs)) {
+                Ok(what) => summary.add(output, what),
+                Err(Failure::Pipe) => return Err(Failure::Pipe),
+                Err(failure) => failures.push(failure),
+            }
+            progress.step();
+        }
+        drop(progress);
+        summary.tell();
+        told(failures, inputs.len())
+    }
+
+    /// As [`Batch::each`], for work that needs blocks.
+    pub fn each_grid(&self, work: impl Fn(&str, Grid) -> Result<Grid, Failure>) -> Result<(), Failure> {
+        self.each(&Reading::default(), |name, content| {
+            work(name, input::require_grid(name, content)?).map(Content::Grid)
+        })
+    }
+
+    /// Writes one building; gives back what it is in a few words.
+    fn write(
+        &self,
+        input: &Path,
+        output: &Path,
+        made: Content,
+        inputs: &[PathBuf],
+    ) -> Result<String, Failure> {
+        let (outputs, what) = match made {
+            Content::Grid(grid) => {
+                let what = summary::building(&grid);
+                (self.writing.grid(output, grid)?, what)
+            }
+            Content::Boxes(boxes) if self.writing.kind(output)? == Kind::Obj => {
+                (output::boxes(output, &boxes.boxes), summary::boxes(boxes.boxes.len()))
+            }
+            Content::Boxes(_) => {
+                let name = input::name(input);
+                let failure =
+                    Failure::of_file(&name, "labelled boxes have no blocks, and can only become .obj");
+                return Err(failure.hint("learn a grammar from them with `vox infer`, then run it"));
+            }
+        };
+        output::write(&outputs, inputs)?;
+        Ok(what)
+    }
+}
+
+/// One failure is that of the command; of several files each is told.
+fn told(mut failures: Vec<Failure>, files: usize) -> Result<(), Failure> {
+    if files <= 1 {
+        return failures.pop().map_or(Ok(()), Err);
+    }
+    let failed = failures.len();
+    for failure in failures {
+        failure.report();
+    }
+    match failed {
+        0 => Ok(()),
+        _ => Err(Failure::new(format!("{failed} of {files} files failed, the others are written"))),
+    }
+}
