@@ -1,5 +1,6 @@
 //! Block states and what is known of blocks. Knows nothing of grids, text or files.
 
+mod bedrock;
 mod boxes;
 mod color;
 mod counterpart;
@@ -14,6 +15,7 @@ mod state;
 mod suggest;
 mod turn;
 
+pub use bedrock::bedrock_state;
 pub use boxes::{Cuboid, boxes};
 pub use color::{Rgba, color};
 pub use counterpart::counterpart;
