@@ -8,6 +8,8 @@ mod data;
 mod hostile;
 #[path = "io/mcedit.rs"]
 mod mcedit;
+#[path = "io/mcstructure.rs"]
+mod mcstructure;
 #[path = "io/obj.rs"]
 mod obj;
 #[path = "common/real.rs"]

@@ -1,4 +1,6 @@
-use super::{Format, Limits, ReadError, Scale, Warning, blueprint, gzip, mcedit, obj, region, schem};
+use super::{
+    Format, Limits, ReadError, Scale, Warning, blueprint, gzip, mcedit, mcstructure, obj, region, schem,
+};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
 
@@ -30,6 +32,7 @@ pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Deco
         Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits)?,
         Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits)?,
         Parsed::Bytes(Format::Region) => region::decode(&plain, limits)?,
+        Parsed::Bytes(Format::Mcstructure) => mcstructure::decode(&plain, limits)?,
         Parsed::Bytes(Format::Obj) => {
             let boxes = obj::decode_obj_boxes(&plain, scale)?;
             return Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() });

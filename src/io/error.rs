@@ -36,6 +36,8 @@ pub enum ReadError {
     OnlyVersion { path: String, found: i32, known: i32 },
     #[error("the tag `{path}` is 0: a schematic is at least one block wide, high and long")]
     ZeroSize { path: String },
+    #[error("the tag `{path}` is {found}: expected 1 to 65,535")]
+    Side { path: String, found: i32 },
     #[error("the size {size} makes {cells} blocks, more than {limit}, the limit")]
     TooManyCells { size: Size, cells: u64, limit: u64 },
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]

@@ -31,4 +31,12 @@ pub enum Warning {
     MixedVersions { first: i32, last: i32 },
     #[error("biomes are kept by number, as before Minecraft 1.18, and are left out")]
     BiomesByNumber,
+    #[error("{blocks} blocks are unknown and kept under their names in Bedrock Edition ({names})")]
+    UnknownBedrock { blocks: usize, names: String },
+    #[error(
+        "{0} block entities and entities are kept in the form of Bedrock Edition, which Java Edition drops"
+    )]
+    BedrockData(usize),
+    #[error("{0} blocks that cannot stand in water have lost theirs")]
+    WaterDropped(usize),
 }

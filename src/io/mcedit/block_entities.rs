@@ -1,12 +1,15 @@
 //! Block entities, in the form that they have beside the states of today. What became part of the state moves there.
 
-use super::{owner, text};
-use crate::block::{BlockState, DYES, known, legacy_id, legacy_state};
+use super::owner;
+use crate::block::{BlockState, legacy_id, legacy_state};
 use crate::grid::Grid;
 use crate::io::fields::{Fields, FromTag};
-use crate::io::{ReadError, Warning, volume};
+use crate::io::{ReadError, Warning, kinds, text, volume};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
+
+/// The colour of beds that do not say theirs.
+const RED: usize = 14;
 
 /// Ids before Minecraft 1.11.
 const OLD_IDS: [(&str, &str); 23] = [
@@ -73,13 +76,13 @@ fn modern(state: &BlockState, fields: &Fields) -> Result<(BlockState, Option<Com
     text::make_json(&mut data, "CustomName");
     let kind = id.strip_prefix("minecraft:").unwrap_or(&id);
     Ok(match kind {
-        "bed" => (bed(state, &mut data), Some(data)),
+        "bed" => (kinds::bed(state, take(&mut data, "color").unwrap_or(RED)), Some(data)),
         "banner" => (banner(state, &mut data), Some(data)),
         "skull" => (skull(state, &mut data), Some(data)),
         "flower_pot" => (pot(state, &data), None),
         "noteblock" => (note_block(state, &data), None),
         "sign" => {
-            text::sign(&mut data);
+            sign(&mut data);
             (state.clone(), Some(data))
         }
         _ => (state.clone(), Some(data)),
@@ -95,14 +98,6 @@ fn modern_id(id: &str, state: &BlockState) -> String {
     }
 }
 
-/// `state` with the block called `name` in its place; as it is where there is no such block.
-fn renamed(state: &BlockState, name: &str) -> BlockState {
-    let Some(known) = known(name) else { return state.clone() };
-    let new = BlockState::new(name).unwrap_or_else(|_| state.clone());
-    let kept = state.properties().filter(|(key, _)| known.property(key).is_some());
-    kept.fold(new, |new, (key, value)| new.with(key, value))
-}
-
 /// The number that `name` holds, which is then gone.
 fn take(data: &mut Compound, name: &str) -> Option<usize> {
     data.remove(name).and_then(|tag| number(&tag))
@@ -112,28 +107,14 @@ fn number(tag: &Tag) -> Option<usize> {
     i32::from_tag(tag).and_then(|number| usize::try_from(number).ok())
 }
 
-fn bed(state: &BlockState, data: &mut Compound) -> BlockState {
-    let dye = take(data, "color").and_then(|color| DYES.get(color)).unwrap_or(&"red");
-    if state.short_name() == "red_bed" { renamed(state, &format!("{dye}_bed")) } else { state.clone() }
-}
-
-/// Banners counted their colours from black to white.
-fn banner_dye(color: usize) -> Option<&'static str> {
-    DYES.iter().rev().nth(color).copied()
-}
-
 fn banner(state: &BlockState, data: &mut Compound) -> BlockState {
-    let dye = banner_dye(take(data, "Base").unwrap_or(0)).unwrap_or("black");
     if let Some(Tag::List(patterns)) = data.get_mut("Patterns") {
         patterns.iter_mut().for_each(turn_colour);
     }
-    match state.short_name() {
-        "white_banner" => renamed(state, &format!("{dye}_banner")),
-        "white_wall_banner" => renamed(state, &format!("{dye}_wall_banner")),
-        _ => state.clone(),
-    }
+    kinds::banner(state, take(data, "Base").unwrap_or(0))
 }
 
+/// Patterns count colours as wool does since Minecraft 1.13, and the other way before.
 fn turn_colour(pattern: &mut Tag) {
     let Tag::Compound(pattern) = pattern else { return };
     if let Some(color) = pattern.get_mut("Color")
@@ -143,26 +124,10 @@ fn turn_colour(pattern: &mut Tag) {
     }
 }
 
-/// By `SkullType`: the block on the floor, and on the wall.
-const SKULLS: [(&str, &str); 6] = [
-    ("skeleton_skull", "skeleton_wall_skull"),
-    ("wither_skeleton_skull", "wither_skeleton_wall_skull"),
-    ("zombie_head", "zombie_wall_head"),
-    ("player_head", "player_wall_head"),
-    ("creeper_head", "creeper_wall_head"),
-    ("dragon_head", "dragon_wall_head"),
-];
-
 fn skull(state: &BlockState, data: &mut Compound) -> BlockState {
-    let kind = take(data, "SkullType").unwrap_or(0);
-    let rotation = take(data, "Rot").unwrap_or(0) % 16;
     owner::modernise(data);
-    let &(floor, wall) = SKULLS.get(kind).unwrap_or(&SKULLS[0]);
-    match state.short_name() {
-        "skeleton_skull" => renamed(state, floor).with("rotation", &rotation.to_string()),
-        "skeleton_wall_skull" => renamed(state, wall),
-        _ => state.clone(),
-    }
+    let kind = take(data, "SkullType").unwrap_or(0);
+    kinds::skull(state, kind, take(data, "Rot").unwrap_or(0))
 }
 
 /// The plant is an item, by its name or, in old files, by its number.
@@ -173,18 +138,26 @@ fn pot(state: &BlockState, data: &Compound) -> BlockState {
         None => None,
     };
     let item_data = data.get("Data").and_then(number).and_then(|data| u8::try_from(data).ok()).unwrap_or(0);
-    let plant = id.and_then(|id| legacy_state(id, item_data));
-    match plant.filter(|_| state.short_name() == "flower_pot") {
-        Some(plant) => renamed(state, &format!("potted_{}", plant.short_name())),
+    match id.and_then(|id| legacy_state(id, item_data)) {
+        Some(plant) => kinds::pot(state, plant.short_name()),
         None => state.clone(),
     }
 }
 
 fn note_block(state: &BlockState, data: &Compound) -> BlockState {
-    if state.short_name() != "note_block" {
-        return state.clone();
-    }
     let number = |name| data.get(name).and_then(number).unwrap_or(0);
-    let powered = if number("powered") == 0 { "false" } else { "true" };
-    state.clone().with("note", &number("note").min(24).to_string()).with("powered", powered)
+    let tuned = kinds::note_block(state, number("note"));
+    let powered = number("powered") != 0 && tuned.get("note").is_some();
+    if powered { tuned.with("powered", "true") } else { tuned }
+}
+
+const LINES: [&str; 4] = ["Text1", "Text2", "Text3", "Text4"];
+
+/// Brings the lines of a sign to its front.
+fn sign(data: &mut Compound) {
+    let front = LINES.map(|name| match data.remove(name) {
+        Some(Tag::String(text)) => text::line(&text),
+        _ => text::line(""),
+    });
+    text::set_sign(data, front, LINES.map(|_| text::line("")));
 }

@@ -13,7 +13,6 @@ mod block_entities;
 mod blocks;
 mod ids;
 mod owner;
-mod text;
 
 use super::fields::Fields;
 use super::{Limits, ReadError, Warning, volume};

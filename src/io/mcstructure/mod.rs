@@ -1,0 +1,87 @@
+//! Structures of Bedrock Edition (.mcstructure): plain NBT with the low byte first.
+//!
+//! ```text
+//! "": { format_version: 1, size: [x, y, z], structure_world_origin: [x, y, z],
+//!       structure: { block_indices: [[Int; cells], [Int; cells]], entities,
+//!                    palette: { default: { block_palette: [{ name, states, version }],
+//!                                          block_position_data: { "<cell>": { block_entity_data } } } } } }
+//! ```
+//!
+//! Cells run in the order x, y, z. The second layer holds the water that blocks stand in. Blocks get the names and
+//! properties of Java Edition; the file's data version counts otherwise than Java's, so a grid has none.
+
+mod block_entities;
+mod blocks;
+mod palette;
+
+use super::fields::Fields;
+use super::{Limits, ReadError, Warning, volume};
+use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
+use crate::nbt::{self, Compound, Endian, Tag};
+use crate::space::Cell;
+
+/// The root tags that the grid holds in its own way.
+const KNOWN: [&str; 3] = ["format_version", "size", "structure"];
+
+pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
+    let (_, root) = nbt::read_as(Endian::Little, plain, &limits.nbt())?;
+    let root = Fields::new("", &root);
+    check_version(&root)?;
+    let size = size(&root)?;
+    let structure = required(&root, "structure")?;
+    let default = required(&required(&structure, "palette")?, "default")?;
+
+    let palette = palette::read(&default)?;
+    let (cells, mut warnings) = blocks::read(&structure, size, &palette, limits)?;
+    let mut grid = volume::grid(size, cells.numbers, cells.palette);
+    let (outside, mut foreign) = block_entities::read(&default, &mut grid)?;
+    grid.metadata = metadata(&root, &structure)?;
+    foreign += grid.metadata.entities.len();
+    warnings.extend((outside > 0).then_some(Warning::BlockEntitiesOutside(outside)));
+    warnings.extend((foreign > 0).then_some(Warning::BedrockData(foreign)));
+    Ok((grid, warnings))
+}
+
+fn check_version(root: &Fields) -> Result<(), ReadError> {
+    match root.find::<i32>("format_version")? {
+        None | Some(1) => Ok(()),
+        Some(found) => Err(ReadError::OnlyVersion { path: root.path("format_version"), found, known: 1 }),
+    }
+}
+
+/// The compound `name`, which must be there.
+fn required<'a>(fields: &Fields<'a>, name: &str) -> Result<Fields<'a>, ReadError> {
+    Ok(Fields::new(fields.path(name), fields.get::<&Compound>(name)?))
+}
+
+fn size(root: &Fields) -> Result<Cell, ReadError> {
+    let size = root.get::<[i32; 3]>("size")?;
+    match size.iter().position(|side| !(1..=0xffff).contains(side)) {
+        None => Ok(Cell::from_array(size)),
+        Some(at) => Err(ReadError::Side { path: format!("{}[{at}]", root.path("size")), found: size[at] }),
+    }
+}
+
+fn metadata(root: &Fields, structure: &Fields) -> Result<Metadata, ReadError> {
+    let origin = root.find::<[i32; 3]>("structure_world_origin")?.unwrap_or_default();
+    let entities = structure.list("entities")?;
+    let mut own = root.tags.clone();
+    own.retain(|name, _| !KNOWN.contains(&name.as_str()));
+    Ok(Metadata {
+        own: (!own.is_empty()).then_some(Own { dialect: Dialect::Bedrock, tags: own }),
+        entities: entities.iter().map(|fields| entity(fields, origin)).collect::<Result<_, _>>()?,
+        ..Metadata::default()
+    })
+}
+
+/// Entities stand where they stood in the world.
+fn entity(fields: &Fields, origin: [i32; 3]) -> Result<Entity, ReadError> {
+    let place = fields.get::<[f64; 3]>("Pos")?;
+    let mut data = fields.tags.clone();
+    data.remove("Pos");
+    if let Some(Tag::String(id)) = data.remove("identifier") {
+        data.insert("id".to_owned(), Tag::String(id));
+    }
+    let place = [0, 1, 2].map(|axis| place[axis] - f64::from(origin[axis]));
+    Ok(Entity { place, data })
+}

@@ -1,0 +1,313 @@
+//! Structures of Bedrock Edition: NBT with the low byte first, and names that are not Java's.
+
+use super::{read, read_grid, tags};
+use vox::grid::Dialect;
+use vox::io::Warning;
+use vox::nbt::{Compound, Tag};
+
+fn text(text: &str) -> Tag {
+    Tag::String(text.to_owned())
+}
+
+fn ints(numbers: &[i32]) -> Tag {
+    Tag::List(numbers.iter().map(|&n| Tag::Int(n)).collect())
+}
+
+fn compound<const N: usize>(entries: [(&str, Tag); N]) -> Tag {
+    Tag::Compound(tags(entries))
+}
+
+/// The types of tags that the files here hold, by number.
+fn kind(tag: &Tag) -> u8 {
+    match tag {
+        Tag::Byte(_) => 1,
+        Tag::Int(_) => 3,
+        Tag::Float(_) => 5,
+        Tag::String(_) => 8,
+        Tag::List(_) => 9,
+        Tag::Compound(_) => 10,
+        _ => panic!("not in these files: {tag:?}"),
+    }
+}
+
+fn put_text(out: &mut Vec<u8>, text: &str) {
+    out.extend((text.len() as u16).to_le_bytes());
+    out.extend(text.as_bytes());
+}
+
+fn put(out: &mut Vec<u8>, tag: &Tag) {
+    match tag {
+        Tag::Byte(n) => out.extend(n.to_le_bytes()),
+        Tag::Int(n) => out.extend(n.to_le_bytes()),
+        Tag::Float(n) => out.extend(n.to_le_bytes()),
+        Tag::String(text) => put_text(out, text),
+        Tag::List(entries) => {
+            out.push(entries.first().map_or(0, kind));
+            out.extend((entries.len() as i32).to_le_bytes());
+            entries.iter().for_each(|entry| put(out, entry));
+        }
+        Tag::Compound(tags) => put_compound(out, tags),
+        _ => panic!("not in these files: {tag:?}"),
+    }
+}
+
+fn put_compound(out: &mut Vec<u8>, tags: &Compound) {
+    for (name, tag) in tags {
+        out.push(kind(tag));
+        put_text(out, name);
+        put(out, tag);
+    }
+    out.push(0);
+}
+
+fn file(root: &Compound) -> Vec<u8> {
+    let mut out = vec![10, 0, 0];
+    put_compound(&mut out, root);
+    out
+}
+
+fn block<const N: usize>(name: &str, states: [(&str, Tag); N]) -> Tag {
+    compound([("name", text(name)), ("states", compound(states)), ("version", Tag::Int(17_959_425))])
+}
+
+/// What is in the `structure` of a file.
+struct Structure {
+    size: Tag,
+    layers: Tag,
+    palette: Vec<Tag>,
+    data: Compound,
+    entities: Tag,
+}
+
+impl Structure {
+    fn of(size: [i32; 3], layers: [&[i32]; 2], palette: Vec<Tag>) -> Structure {
+        let layers = Tag::List(layers.map(ints).to_vec());
+        let entities = Tag::List(Vec::new());
+        Structure { size: ints(&size), layers, palette, data: Compound::new(), entities }
+    }
+
+    /// One block with a block entity.
+    fn with_entity(block: Tag, data: Compound) -> Structure {
+        let mut structure = Structure::of([1, 1, 1], [&[0], &[-1]], vec![block]);
+        structure.data = tags([("0", compound([("block_entity_data", Tag::Compound(data))]))]);
+        structure
+    }
+
+    fn file(self) -> Vec<u8> {
+        let default = compound([
+            ("block_palette", Tag::List(self.palette)),
+            ("block_position_data", Tag::Compound(self.data)),
+        ]);
+        file(&tags([
+            ("format_version", Tag::Int(1)),
+            ("size", self.size),
+            (
+                "structure",
+                compound([
+                    ("block_indices", self.layers),
+                    ("entities", self.entities),
+                    ("palette", compound([("default", default)])),
+                ]),
+            ),
+            ("structure_world_origin", ints(&[100, 64, -7])),
+        ]))
+    }
+}
+
+fn states(bytes: &[u8]) -> Vec<String> {
+    let grid = read_grid(bytes);
+    grid.bounds().cells().map(|cell| grid.get(cell).short()).collect()
+}
+
+#[test]
+fn cells_run_along_z_first() {
+    let palette = vec![block("minecraft:air", []), block("minecraft:stone", []), block("minecraft:dirt", [])];
+    let indices = [0, 1, 2, 0, 0, -1, 0, 0];
+    let grid = read_grid(&Structure::of([2, 2, 2], [&indices, &[-1; 8]], palette).file());
+    let at = |x, y, z| grid.get(vox::space::Cell::new(x, y, z)).short();
+    assert_eq!([at(0, 0, 1), at(0, 1, 0), at(1, 0, 1)], ["stone", "dirt", "structure_void"]);
+    assert_eq!(grid.metadata.data_version, None);
+    let own = grid.metadata.own.unwrap();
+    assert_eq!(
+        (own.dialect, own.tags),
+        (Dialect::Bedrock, tags([("structure_world_origin", ints(&[100, 64, -7]))]))
+    );
+}
+
+#[test]
+fn names_and_states_become_those_of_java() {
+    let stairs =
+        block("minecraft:oak_stairs", [("weirdo_direction", Tag::Int(1)), ("upside_down_bit", Tag::Byte(1))]);
+    let old = block("minecraft:stone", [("stone_type", text("diorite"))]);
+    let java = block("minecraft:dirt_path", []);
+    let stranger = block("Mod:Lamp", [("lit", Tag::Byte(1))]);
+    let bytes = Structure::of([4, 1, 1], [&[0, 1, 2, 3], &[-1; 4]], vec![stairs, old, java, stranger]).file();
+    assert_eq!(
+        states(&bytes),
+        ["oak_stairs[facing=west,half=top]", "diorite", "dirt_path", "mod:lamp[lit=1]"]
+    );
+    let unknown = Warning::UnknownBedrock { blocks: 1, names: "mod:lamp".into() };
+    assert_eq!(read(&bytes).unwrap().warnings, [unknown]);
+}
+
+#[test]
+fn water_of_the_second_layer() {
+    let palette = vec![
+        block("minecraft:water", [("liquid_depth", Tag::Int(0))]),
+        block("minecraft:oak_fence", []),
+        block("minecraft:air", []),
+        block("minecraft:dirt", []),
+    ];
+    let bytes = Structure::of([5, 1, 1], [&[1, 2, 3, -1, 1], &[0, 0, 0, 0, -1]], palette).file();
+    let expected = ["oak_fence[waterlogged=true]", "water[level=0]", "dirt", "structure_void", "oak_fence"];
+    assert_eq!(states(&bytes), expected);
+    assert_eq!(read(&bytes).unwrap().warnings, [Warning::WaterDropped(1)]);
+}
+
+#[test]
+fn block_entities_decide_states() {
+    let id = |id| ("id", text(id));
+    let plant = compound([("name", text("minecraft:poppy"))]);
+    let cases = [
+        (
+            block(
+                "minecraft:bed",
+                [
+                    ("direction", Tag::Int(0)),
+                    ("head_piece_bit", Tag::Byte(0)),
+                    ("occupied_bit", Tag::Byte(0)),
+                ],
+            ),
+            tags([id("Bed"), ("color", Tag::Byte(11))]),
+            "blue_bed[facing=south,occupied=false,part=foot]",
+        ),
+        (
+            block("minecraft:standing_banner", [("ground_sign_direction", Tag::Int(4))]),
+            tags([id("Banner"), ("Base", Tag::Int(0))]),
+            "black_banner[rotation=4]",
+        ),
+        (
+            block("minecraft:skull", [("facing_direction", Tag::Int(1))]),
+            tags([id("Skull"), ("SkullType", Tag::Byte(2)), ("Rotation", Tag::Float(-90.0))]),
+            "zombie_head[rotation=12]",
+        ),
+        (
+            block("minecraft:flower_pot", [("update_bit", Tag::Byte(0))]),
+            tags([id("FlowerPot"), ("PlantBlock", plant)]),
+            "potted_poppy",
+        ),
+        (block("minecraft:noteblock", []), tags([id("Music"), ("note", Tag::Byte(5))]), "note_block[note=5]"),
+        (
+            block("minecraft:red_shulker_box", []),
+            tags([id("ShulkerBox"), ("facing", Tag::Byte(4))]),
+            "red_shulker_box[facing=west]",
+        ),
+    ];
+    for (block, data, expected) in cases {
+        let bytes = Structure::with_entity(block, data).file();
+        assert_eq!(states(&bytes), [expected]);
+        assert_eq!(read(&bytes).unwrap().warnings, [], "{expected}");
+    }
+}
+
+#[test]
+fn block_entities_get_the_ids_of_java() {
+    let chest =
+        |data| Structure::with_entity(block("minecraft:chest", [("facing_direction", Tag::Int(3))]), data);
+    let place = [("x", Tag::Int(100)), ("isMovable", Tag::Byte(1)), ("id", text("Chest"))];
+    let empty = chest(tags(place.clone())).file();
+    assert_eq!(read_grid(&empty).block_entities, [([0; 3], tags([("id", text("minecraft:chest"))]))].into());
+    assert_eq!(read(&empty).unwrap().warnings, []);
+    let mut full = tags(place);
+    full.insert("Items".into(), Tag::List(vec![compound([("Name", text("minecraft:stick"))])]));
+    assert_eq!(read(&chest(full).file()).unwrap().warnings, [Warning::BedrockData(1)]);
+}
+
+#[test]
+fn signs_keep_their_words() {
+    let sign = block("minecraft:standing_sign", [("ground_sign_direction", Tag::Int(0))]);
+    let words = [
+        tags([("id", text("Sign")), ("Text", text("The\nInn"))]),
+        tags([("id", text("Sign")), ("FrontText", compound([("Text", text("The\nInn"))]))]),
+    ];
+    for data in words {
+        let bytes = Structure::with_entity(sign.clone(), data).file();
+        let data = read_grid(&bytes).block_entities[&[0; 3]].clone();
+        let Tag::Compound(front) = &data["front_text"] else { panic!("{data:?}") };
+        let lines = ["\"The\"", "\"Inn\"", "\"\"", "\"\""];
+        assert_eq!(front["messages"], Tag::List(lines.map(text).to_vec()));
+        assert_eq!(data["id"], text("minecraft:sign"));
+    }
+}
+
+#[test]
+fn entities_count_from_the_low_corner() {
+    let mut structure = Structure::of([1, 1, 1], [&[0], &[-1]], vec![block("minecraft:air", [])]);
+    let place = Tag::List([100.5, 65.0, -6.5].map(Tag::Float).to_vec());
+    structure.entities = Tag::List(vec![compound([("identifier", text("minecraft:cow")), ("Pos", place)])]);
+    let bytes = structure.file();
+    let entities = read_grid(&bytes).metadata.entities;
+    assert_eq!(entities[0].place, [0.5, 1.0, 0.5]);
+    assert_eq!(entities[0].data, tags([("id", text("minecraft:cow"))]));
+    assert_eq!(read(&bytes).unwrap().warnings, [Warning::BedrockData(1)]);
+}
+
+#[test]
+fn places_outside_are_left_out() {
+    for key in ["1", "-1", "99999999999999999999", "x"] {
+        let mut structure = Structure::with_entity(block("minecraft:chest", []), Compound::new());
+        let data = structure.data.remove("0").unwrap();
+        structure.data.insert(key.to_owned(), data);
+        let decoded = read(&structure.file()).unwrap();
+        assert!(decoded.warnings.contains(&Warning::BlockEntitiesOutside(1)), "{key}");
+    }
+}
+
+#[test]
+fn refusals_name_the_field_and_what_was_expected() {
+    let small = || Structure::of([2, 1, 1], [&[0, 0], &[-1, -1]], vec![block("minecraft:air", [])]);
+    let sized = |size: &[i32]| Structure { size: ints(size), ..small() };
+    let layered = |layers: &[&[i32]]| {
+        let layers = Tag::List(layers.iter().map(|layer| ints(layer)).collect());
+        Structure { layers, ..small() }
+    };
+    let cases = [
+        (sized(&[0, 1, 1]), "the tag `size[0]` is 0: expected 1 to 65,535"),
+        (sized(&[1, -7, 1]), "the tag `size[1]` is -7: expected 1 to 65,535"),
+        (sized(&[1, 1, i32::MAX]), "the tag `size[2]` is 2147483647: expected 1 to 65,535"),
+        (sized(&[1, 1]), "the tag `size` is a List of 2: expected an Int Array of 3"),
+        (
+            sized(&[3, 1, 1]),
+            "the size 3 x 1 x 1 makes 3 blocks, but `structure.block_indices[0]` holds only 2",
+        ),
+        (
+            sized(&[65_535, 65_535, 65_535]),
+            "the size 65535 x 65535 x 65535 makes 281462092005375 blocks, more than",
+        ),
+        (layered(&[]), "the tag `structure.block_indices[0]` is missing: expected a List"),
+        (
+            layered(&[&[0, 0], &[0]]),
+            "the size 2 x 1 x 1 makes 2 blocks, but `structure.block_indices[1]` holds only 1",
+        ),
+        (
+            layered(&[&[0, 1]]),
+            "`structure.block_indices[0]`, block (1, 0, 0): index 1 is not in the palette of 1 entries",
+        ),
+        (
+            Structure { palette: vec![block("a b", [])], ..small() },
+            "the entry `a b[]` of `structure.palette.default.block_palette[0].name` is no block state",
+        ),
+        (
+            Structure { palette: vec![block("mod:a", [("b", text("c]d"))])], ..small() },
+            "the entry `mod:a[b=c]d]` of `structure.palette.default.block_palette[0].name` is no block state",
+        ),
+    ];
+    for (structure, message) in cases {
+        let found = read(&structure.file()).unwrap_err().to_string();
+        assert!(found.starts_with(message), "expected: {message}\n   found: {found}");
+    }
+    let whole = small().file();
+    for len in 40..whole.len() {
+        assert!(read(&whole[..len]).is_err(), "{len}");
+    }
+}
