@@ -1,5 +1,7 @@
 //! Files read, written and refused.
 
+#[path = "io/axiom.rs"]
+mod axiom;
 #[path = "io/blueprint.rs"]
 mod blueprint;
 #[path = "io/data.rs"]

@@ -37,6 +37,7 @@ pub enum Dialect {
     Blueprint,
     Bedrock,
     Anvil,
+    Axiom,
 }
 
 /// A named part of a build.

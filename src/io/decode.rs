@@ -1,5 +1,6 @@
 use super::{
-    Format, Limits, ReadError, Scale, Warning, blueprint, gzip, mcedit, mcstructure, obj, region, schem,
+    Format, Limits, ReadError, Scale, Warning, axiom, blueprint, gzip, mcedit, mcstructure, obj, region,
+    schem,
 };
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
@@ -27,19 +28,23 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
 /// As [`decode`], where OBJ coordinates count in units of `scale`.
 pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Decoded, ReadError> {
     let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    let (grid, warnings) = match parse(&plain, limits)? {
-        Parsed::Tags(Format::Schem, root) => schem::decode(&root, limits)?,
-        Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits)?,
-        Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits)?,
-        Parsed::Bytes(Format::Region) => region::decode(&plain, limits)?,
-        Parsed::Bytes(Format::Mcstructure) => mcstructure::decode(&plain, limits)?,
+    match parse(&plain, limits)? {
+        Parsed::Tags(Format::Schem, root) => schem::decode(&root, limits).map(of_grid),
+        Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits).map(of_grid),
+        Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits).map(of_grid),
+        Parsed::Bytes(Format::Region) => region::decode(&plain, limits).map(of_grid),
+        Parsed::Bytes(Format::Mcstructure) => mcstructure::decode(&plain, limits).map(of_grid),
+        Parsed::Bytes(Format::Axiom) => axiom::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Obj) => {
             let boxes = obj::decode_obj_boxes(&plain, scale)?;
-            return Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() });
+            Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
         }
-        Parsed::Tags(format, _) | Parsed::Bytes(format) => return Err(ReadError::Unreadable(format)),
-    };
-    Ok(Decoded { content: Content::Grid(grid), warnings })
+        Parsed::Tags(format, _) | Parsed::Bytes(format) => Err(ReadError::Unreadable(format)),
+    }
+}
+
+fn of_grid((grid, warnings): (Grid, Vec<Warning>)) -> Decoded {
+    Decoded { content: Content::Grid(grid), warnings }
 }
 
 /// What format the bytes of a file are in.

@@ -45,6 +45,14 @@ pub enum ReadError {
 
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {found}")]
     TooFewEntries { size: Size, cells: u64, path: String, found: usize },
+    #[error("the tag `{path}` is {found}: expected -2,097,152 to 2,097,151")]
+    FarAway { path: String, found: i32 },
+    #[error("the file holds {sections} sections of blocks, more than {limit}, the limit")]
+    TooManySections { sections: usize, limit: u64 },
+    #[error("`{path}` holds only {found} of {needed} Longs")]
+    TooFewLongs { path: String, needed: usize, found: usize },
+    #[error("the file ends within its {part}: only {left} bytes are left for it and its length")]
+    PartCutOff { part: &'static str, left: usize },
     #[error("`{path}` holds only {found} bytes, too few for all blocks")]
     ShortArray { path: String, found: usize },
     #[error(

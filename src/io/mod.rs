@@ -7,6 +7,7 @@
 //!
 //! What a file is, its content says: names and extensions are never asked.
 
+mod axiom;
 mod blueprint;
 mod decode;
 mod encoded;
