@@ -41,6 +41,11 @@ pub fn counterpart(state: &BlockState, from: &str, to: &str) -> Option<BlockStat
     Some(kept.fold(BlockState::known(known.name()), |new, (key, value)| new.with(key, value)))
 }
 
+/// Whether `name` is that of a material, as `oak` and `stone` are: there is more than one block of it.
+pub fn is_material(name: &str) -> bool {
+    all_materials().contains(name)
+}
+
 /// The material that is called `name`, or whose member is.
 fn material(name: &str) -> Option<&str> {
     let name = name.strip_prefix("minecraft:").unwrap_or(name);

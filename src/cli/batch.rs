@@ -15,12 +15,12 @@ use std::path::{Path, PathBuf};
 pub struct Batch {
     /// What to read, or - for standard input. Its content tells what it is, not its name
     #[arg(required = true)]
-    inputs: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
     /// What to write: .schem, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
     /// input without its ending, and for its number
-    output: Template,
+    pub output: Template,
     #[command(flatten)]
-    writing: Writing,
+    pub writing: Writing,
 }
 
 impl Batch {
@@ -67,7 +67,7 @@ impl Batch {
     ) -> Result<String, Failure> {
         let (outputs, what) = match made {
             Content::Grid(grid) => {
-                let what = summary::building(&grid);
+                let what = summary::building(&grid, self.writing.split);
                 (self.writing.grid(output, grid)?, what)
             }
             Content::Boxes(boxes) if self.writing.kind(output)? == Kind::Obj => {

@@ -14,6 +14,7 @@ mod output;
 mod part;
 mod progress;
 mod render;
+mod replace;
 mod report;
 mod run;
 mod size;
@@ -53,6 +54,7 @@ enum Command {
     Convert(convert::Args),
     Turn(turn::Args),
     Crop(crop::Args),
+    Replace(replace::Args),
     Completions(completions::Args),
 }
 
@@ -73,6 +75,7 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Convert(args) => convert::execute(&args),
         Command::Turn(args) => turn::execute(&args),
         Command::Crop(args) => crop::execute(&args),
+        Command::Replace(args) => replace::execute(args),
         Command::Completions(args) => completions::execute(&args),
     };
     match result {

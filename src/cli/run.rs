@@ -131,7 +131,7 @@ fn make(
         return Ok((size.map_or(Cell::ZERO, |bounds| bounds.size()), what));
     }
     let grid = told(source, run::run(graph, library, &options).map_err(fail)?);
-    let (size, what) = (grid.size(), summary::building(&grid));
+    let (size, what) = (grid.size(), summary::building(&grid, args.writing.split));
     output::write(&args.writing.grid(path, grid)?, inputs)?;
     Ok((size, what))
 }

@@ -28,10 +28,13 @@ impl Summary {
     }
 }
 
-/// A building in a few words: `9 x 7 x 12, 412 blocks`.
-pub fn building(grid: &Grid) -> String {
+/// A building in a few words: `9 x 7 x 12, 412 blocks`. `edge` is that of the pieces it comes in.
+pub fn building(grid: &Grid, edge: Option<u16>) -> String {
     let (size, blocks) = (grid.size(), grid.blocks());
-    format!("{} x {} x {}, {}", size.x, size.y, size.z, counted(blocks, "block", "blocks"))
+    let pieces = edge.map_or(String::new(), |edge| {
+        format!(", in {}", counted(grid.boxes(edge).count() as u64, "piece", "pieces"))
+    });
+    format!("{} x {} x {}, {}{pieces}", size.x, size.y, size.z, counted(blocks, "block", "blocks"))
 }
 
 pub fn boxes(count: usize) -> String {

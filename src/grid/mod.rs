@@ -7,6 +7,7 @@ mod crop;
 mod entity;
 mod labelled;
 mod metadata;
+mod replace;
 mod split;
 mod turn;
 
@@ -19,6 +20,7 @@ use std::collections::BTreeMap;
 pub use anchor::{Anchor, NoDoor};
 pub use labelled::{LabelledBox, LabelledBoxes};
 pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region};
+pub use replace::Replaced;
 
 /// A box of blocks. Every cell holds a number of the palette; 0 is air.
 #[derive(Clone, Debug)]
