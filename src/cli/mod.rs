@@ -10,6 +10,7 @@ mod graph;
 mod infer;
 mod info;
 mod input;
+mod materials;
 mod output;
 mod part;
 mod progress;
@@ -55,6 +56,7 @@ enum Command {
     Turn(turn::Args),
     Crop(crop::Args),
     Replace(replace::Args),
+    Materials(materials::Args),
     Completions(completions::Args),
 }
 
@@ -76,6 +78,7 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Turn(args) => turn::execute(&args),
         Command::Crop(args) => crop::execute(&args),
         Command::Replace(args) => replace::execute(args),
+        Command::Materials(args) => materials::execute(&args),
         Command::Completions(args) => completions::execute(&args),
     };
     match result {
