@@ -8,6 +8,8 @@ mod blueprint;
 mod data;
 #[path = "io/hostile.rs"]
 mod hostile;
+#[path = "io/litematic.rs"]
+mod litematic;
 #[path = "io/mcedit.rs"]
 mod mcedit;
 #[path = "io/mcstructure.rs"]

@@ -1,6 +1,6 @@
 use super::{
-    Format, Limits, ReadError, Scale, Warning, axiom, blueprint, gzip, mcedit, mcstructure, obj, region,
-    schem,
+    Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, mcedit,
+    mcstructure, obj, region, schem,
 };
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
@@ -22,21 +22,34 @@ pub struct Decoded {
 
 /// The content of a file, by what its bytes say it is. OBJ coordinates count in blocks.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
-    decode_scaled(bytes, limits, Scale::default())
+    decode_with(bytes, limits, &Options::default())
 }
 
 /// As [`decode`], where OBJ coordinates count in units of `scale`.
 pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Decoded, ReadError> {
+    decode_with(bytes, limits, &Options { scale, ..Options::default() })
+}
+
+/// As [`decode`], with a choice where there is one.
+pub fn decode_with(bytes: &[u8], limits: &Limits, options: &Options) -> Result<Decoded, ReadError> {
     let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    match parse(&plain, limits)? {
+    let parsed = parse(&plain, limits)?;
+    match (&options.region, parsed.format()) {
+        (None, _) | (_, Format::Litematic) => {}
+        (Some(name), _) => return Err(ReadError::NoRegion { name: name.clone(), names: Vec::new() }),
+    }
+    match parsed {
         Parsed::Tags(Format::Schem, root) => schem::decode(&root, limits).map(of_grid),
+        Parsed::Tags(Format::Litematic, root) => {
+            litematic::decode(&root, limits, options.region.as_deref()).map(of_grid)
+        }
         Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits).map(of_grid),
         Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits).map(of_grid),
         Parsed::Bytes(Format::Region) => region::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Mcstructure) => mcstructure::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Axiom) => axiom::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Obj) => {
-            let boxes = obj::decode_obj_boxes(&plain, scale)?;
+            let boxes = obj::decode_obj_boxes(&plain, options.scale)?;
             Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
         }
         Parsed::Tags(format, _) | Parsed::Bytes(format) => Err(ReadError::Unreadable(format)),
@@ -50,14 +63,20 @@ fn of_grid((grid, warnings): (Grid, Vec<Warning>)) -> Decoded {
 /// What format the bytes of a file are in.
 pub fn sniff(bytes: &[u8], limits: &Limits) -> Result<Format, ReadError> {
     let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    parse(&plain, limits).map(|parsed| match parsed {
-        Parsed::Tags(format, _) | Parsed::Bytes(format) => format,
-    })
+    parse(&plain, limits).map(|parsed| parsed.format())
 }
 
 enum Parsed {
     Tags(Format, Compound),
     Bytes(Format),
+}
+
+impl Parsed {
+    fn format(&self) -> Format {
+        match self {
+            Parsed::Tags(format, _) | Parsed::Bytes(format) => *format,
+        }
+    }
 }
 
 fn parse(plain: &[u8], limits: &Limits) -> Result<Parsed, ReadError> {

@@ -40,6 +40,27 @@ pub enum ReadError {
     Side { path: String, found: i32 },
     #[error("the size {size} makes {cells} blocks, more than {limit}, the limit")]
     TooManyCells { size: Size, cells: u64, limit: u64 },
+    #[error("the tag `{path}` is {found}: vox knows Litematica schematics from version 2 on")]
+    OldLitematic { path: String, found: i32 },
+    #[error("the file has no region `{name}`: {}", having(names))]
+    NoRegion { name: String, names: Vec<String> },
+    #[error(
+        "the regions `{first}` and `{last}` lie {apart} blocks apart along {axis}: the box around all regions, {size}, \
+         makes {cells} blocks, more than {limit}, the limit; read the regions one by one"
+    )]
+    FarApart {
+        first: String,
+        last: String,
+        apart: i64,
+        axis: &'static str,
+        size: Size,
+        cells: u64,
+        limit: u64,
+    },
+    #[error("`{path}` is {} and the size {size}: no number reaches so far", place(.position))]
+    FarOut { path: String, position: Cell, size: Size },
+    #[error("`{path}` holds {found} words: expected {expected} for the size {size} and {bits} bits a block")]
+    WordCount { path: String, found: usize, expected: u64, size: Size, bits: u32 },
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]
     TooFewBytes { size: Size, cells: u64, path: String, bytes: usize },
 
@@ -123,9 +144,32 @@ pub(super) const PALETTE_INDEX_MAX: i32 = (1 << 20) - 1;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Size(pub Cell);
 
+impl Size {
+    /// How many cells this is, of any size that a file says.
+    pub(super) fn cells(self) -> u64 {
+        let extents = self.0.to_array().map(|n| u64::try_from(n).unwrap_or(0));
+        extents.into_iter().fold(1, u64::saturating_mul)
+    }
+
+    /// The place of the cell `at` in the order of schematic files: x fastest, then z, then y.
+    pub(super) fn cell(self, at: usize) -> Cell {
+        let [width, _, length] = self.0.to_array().map(|n| n as usize);
+        Cell::new((at % width) as i32, (at / width / length) as i32, (at / width % length) as i32)
+    }
+}
+
 impl std::fmt::Display for Size {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} x {} x {}", self.0.x, self.0.y, self.0.z)
+    }
+}
+
+fn having(names: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let shown: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
+    match names.len() {
+        0 => "it has no regions".to_owned(),
+        len => format!("it has {}{}", shown.join(", "), if len > SHOWN { ", ..." } else { "" }),
     }
 }
 
@@ -150,6 +194,10 @@ pub enum WriteError {
     OutsideWorlds { from: Cell, to: Cell },
     #[error("the region ({}, {}) takes more than 64 GiB", .0[0], .0[1])]
     LongRegion([i32; 2]),
+    #[error("the size {0} cannot be written: there is no block in it")]
+    Empty(Size),
+    #[error("the offset {} cannot be written: no number reaches so far", place(.0))]
+    Offset(Cell),
     #[error(transparent)]
     Nbt(#[from] nbt::WriteError),
 }

@@ -79,6 +79,7 @@ fn describe(tag: &Tag) -> String {
         Tag::Double(n) => format!("{kind} ({n})"),
         Tag::List(entries) => format!("{kind} of {}", entries.len()),
         Tag::IntArray(numbers) => format!("{kind} of {}", numbers.len()),
+        Tag::LongArray(numbers) => format!("{kind} of {}", numbers.len()),
         _ => kind.to_owned(),
     }
 }

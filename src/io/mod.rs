@@ -7,6 +7,7 @@
 //!
 //! What a file is, its content says: names and extensions are never asked.
 
+mod attached;
 mod axiom;
 mod blueprint;
 mod decode;
@@ -18,10 +19,12 @@ mod format;
 mod gzip;
 mod kinds;
 mod limits;
+mod litematic;
 mod lost;
 mod mcedit;
 mod mcstructure;
 mod obj;
+mod options;
 mod region;
 mod schem;
 mod states;
@@ -30,15 +33,17 @@ mod varint;
 mod volume;
 mod warning;
 
-pub use decode::{Content, Decoded, decode, decode_scaled, sniff};
+pub use decode::{Content, Decoded, decode, decode_scaled, decode_with, sniff};
 pub use encoded::Encoded;
 pub use error::{ReadError, WriteError};
 pub use file::{Staged, read, read_bytes, write_atomic};
 pub use format::Format;
 pub use gzip::GzipError;
 pub use limits::Limits;
+pub use litematic::{LitematicVersion, encode_litematic};
 pub use lost::Lost;
 pub use obj::{ObjError, ObjMesh, ObjProblem, Scale, decode_obj_boxes, encode_obj_boxes, encode_obj_mesh};
+pub use options::{Jigsaws, Options};
 pub use region::{ChunkProblem, EncodedRegions, encode_regions, read_world};
 pub use schem::{DEFAULT_DATA_VERSION, SchemVersion, encode_schem};
 pub use varint::VarintProblem;

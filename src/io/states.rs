@@ -2,8 +2,8 @@
 
 use super::ReadError;
 use super::fields::Fields;
-use crate::block::BlockState;
-use crate::nbt::Tag;
+use crate::block::{self, BlockState, Palette};
+use crate::nbt::{Compound, Tag};
 
 /// The states of the list `name`, in its order.
 pub(super) fn read_palette(fields: &Fields, name: &str) -> Result<Vec<BlockState>, ReadError> {
@@ -25,7 +25,38 @@ pub(super) fn parse(text: &str, path: impl Fn() -> String) -> Result<BlockState,
     text.parse().map_err(|problem| ReadError::PaletteEntry { path: path(), entry: text.to_owned(), problem })
 }
 
+pub(super) fn write(state: &BlockState) -> Tag {
+    let mut entry = Compound::from([("Name".to_owned(), Tag::String(state.name().to_owned()))]);
+    if state.properties().len() > 0 {
+        let properties =
+            state.properties().map(|(key, value)| (key.to_owned(), Tag::String(value.to_owned())));
+        entry.insert("Properties".to_owned(), Tag::Compound(properties.collect()));
+    }
+    Tag::Compound(entry)
+}
+
+/// The states of a palette with all their properties, each once.
+pub(super) struct Complete {
+    pub states: Vec<BlockState>,
+    /// Their numbers by those of the palette they come from.
+    pub numbers: Vec<u16>,
+}
+
+impl Complete {
+    pub fn of(palette: &Palette) -> Complete {
+        let mut complete = Palette::default();
+        let numbers = palette.states().iter().map(|state| complete.intern(&block::complete(state)));
+        let numbers = numbers.collect::<Result<_, _>>().expect("no more states than in a full palette");
+        Complete { states: complete.states().to_vec(), numbers }
+    }
+}
+
 /// What a cell holds that says to leave the world as it is.
 pub(super) fn leave_alone() -> BlockState {
     BlockState::new("structure_void").expect("a legal name")
+}
+
+/// Whether there is nothing in a cell of this state.
+pub(super) fn is_nothing(state: &BlockState) -> bool {
+    ["air", "cave_air", "void_air", "structure_void"].contains(&state.short_name())
 }

@@ -39,4 +39,12 @@ pub enum Warning {
     BedrockData(usize),
     #[error("{0} blocks that cannot stand in water have lost theirs")]
     WaterDropped(usize),
+    #[error("Version is {found}, and vox knows those up to {known}: what is new is not understood")]
+    NewVersion { found: i32, known: i32 },
+    #[error("the block states are those of Minecraft 1.12 and are kept as they stand")]
+    OldStates,
+    #[error("the palette of the region `{0}` does not start with air, which Litematica takes for granted")]
+    PaletteWithoutAir(String),
+    #[error("{blocks} blocks of the region `{region}` replace those of other regions in the same place")]
+    RegionsOverlap { region: String, blocks: usize },
 }

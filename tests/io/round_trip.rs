@@ -14,7 +14,7 @@ fn schem(grid: &Grid, version: SchemVersion) -> Vec<u8> {
     encode_schem(grid, version).unwrap().bytes
 }
 
-fn states(count: usize) -> Palette {
+pub fn states(count: usize) -> Palette {
     let mut palette = Palette::default();
     for n in 1..count {
         let state = BlockState::new("note_block").unwrap().with("note", &n.to_string());
@@ -24,7 +24,7 @@ fn states(count: usize) -> Palette {
 }
 
 /// A grid in which each of `count` states is in use.
-fn varied(size: Cell, count: usize) -> Grid {
+pub fn varied(size: Cell, count: usize) -> Grid {
     let [x, y, z] = size.to_array().map(|n| n as usize);
     let cells = Array3::from_shape_fn((y, z, x), |(j, k, i)| ((i + x * (k + z * j)) * 7919 % count) as u16);
     Grid::from_cells(cells, states(count)).unwrap()
@@ -47,7 +47,7 @@ fn metadata() -> impl Strategy<Value = Metadata> {
     )
 }
 
-fn grid() -> impl Strategy<Value = Grid> {
+pub fn grid() -> impl Strategy<Value = Grid> {
     let size = (1..9usize, 1..9usize, 1..9usize);
     let cells = size.prop_flat_map(|(x, y, z)| {
         (1..300usize).prop_flat_map(move |count| {
@@ -72,7 +72,7 @@ fn grid() -> impl Strategy<Value = Grid> {
 }
 
 /// Sums of coordinates round, so places are compared up to that.
-fn near(a: &[Entity], b: &[Entity]) -> bool {
+pub fn near(a: &[Entity], b: &[Entity]) -> bool {
     let close = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.data == b.data && close(a.place, b.place))
 }

@@ -46,10 +46,7 @@ fn known_formats() {
 #[test]
 fn refusals_say_what_the_file_is() {
     let cases = [
-        (
-            nbt_file([("Regions", Tag::Compound(Compound::new()))]),
-            "this is a Litematica schematic (.litematic)",
-        ),
+        (b"\x89PNG\r\n\x1a\n".to_vec(), "this is a PNG picture"),
         (b"hello".to_vec(), "this is a text without the vertices"),
         (Vec::new(), "the file is empty"),
         (vec![1, 2, 3], "this is no format that vox knows: it starts with the bytes 01 02 03"),
