@@ -10,6 +10,8 @@ mod data;
 mod hostile;
 #[path = "io/litematic.rs"]
 mod litematic;
+#[path = "io/magica.rs"]
+mod magica;
 #[path = "io/mcedit.rs"]
 mod mcedit;
 #[path = "io/mcstructure.rs"]

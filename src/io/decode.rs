@@ -1,5 +1,5 @@
 use super::{
-    Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, mcedit,
+    Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, magica, mcedit,
     mcstructure, obj, region, schem,
 };
 use crate::grid::{Grid, LabelledBoxes};
@@ -45,6 +45,7 @@ pub fn decode_with(bytes: &[u8], limits: &Limits, options: &Options) -> Result<D
         }
         Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits).map(of_grid),
         Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits).map(of_grid),
+        Parsed::Bytes(Format::MagicaVoxel) => magica::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Region) => region::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Mcstructure) => mcstructure::decode(&plain, limits).map(of_grid),
         Parsed::Bytes(Format::Axiom) => axiom::decode(&plain, limits).map(of_grid),

@@ -1,4 +1,4 @@
-use super::{ChunkProblem, Format, GzipError, ObjError, VarintProblem};
+use super::{ChunkProblem, Format, GzipError, MagicaError, ObjError, VarintProblem};
 use crate::block::{BadBlockState, PaletteFull};
 use crate::nbt::{self, NbtError};
 use crate::space::Cell;
@@ -134,6 +134,8 @@ pub enum ReadError {
     PackedIndex { path: String, at: usize, index: u32, entries: usize },
 
     #[error(transparent)]
+    Magica(#[from] MagicaError),
+    #[error(transparent)]
     Obj(#[from] ObjError),
 }
 
@@ -192,6 +194,8 @@ pub enum WriteError {
     #[error("the build would reach from {} to {}: worlds go to 30,000,000 sideways and 2,032 up and down",
         place(.from), place(.to))]
     OutsideWorlds { from: Cell, to: Cell },
+    #[error("the model takes more than 4 GiB, the most that the format can say")]
+    LongModel,
     #[error("the region ({}, {}) takes more than 64 GiB", .0[0], .0[1])]
     LongRegion([i32; 2]),
     #[error("the size {0} cannot be written: there is no block in it")]

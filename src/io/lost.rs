@@ -22,6 +22,13 @@ pub enum Lost {
     LeftAlone(usize),
     /// Blocks below -64 or above 319.
     OutsideHeights,
+    /// All that is not colour.
+    States,
+    /// Colours that a palette has no room for.
+    Colors {
+        found: usize,
+        kept: usize,
+    },
 }
 
 /// A format picks from these what it cannot hold.
@@ -92,6 +99,14 @@ impl fmt::Display for Lost {
             }
             Lost::OutsideHeights => {
                 write!(f, "blocks below -64 or above 319, where only worlds of unusual height have a place")
+            }
+            Lost::States => write!(f, "the names, properties and shapes of blocks: voxels have colours only"),
+            Lost::Colors { found, kept } => {
+                write!(
+                    f,
+                    "{} colours of {found}, joined with the nearest of the {kept} most used",
+                    found - kept
+                )
             }
             Lost::Variants(count) => write!(f, "{}", counted(*count, "further variant", "further variants")),
         }

@@ -47,4 +47,10 @@ pub enum Warning {
     PaletteWithoutAir(String),
     #[error("{blocks} blocks of the region `{region}` replace those of other regions in the same place")]
     RegionsOverlap { region: String, blocks: usize },
+    #[error("{0} parts of the scene are hidden and are left out")]
+    ModelsHidden(usize),
+    #[error("{0} later frames of an animation are left out")]
+    FramesLater(usize),
+    #[error("{0} voxels lie outside of their models and are left out")]
+    VoxelsOutside(usize),
 }

@@ -1,9 +1,9 @@
 //! Sections: cubes of 16 blocks a side with a palette of their own, as in the game's worlds.
 
 use crate::block::{BlockState, Palette};
-use crate::io::fields::{Fields, FromTag};
+use crate::io::fields::Fields;
 use crate::io::{ReadError, states, volume};
-use crate::nbt::{Compound, Tag};
+use crate::nbt::Compound;
 use crate::space::{Bounds, Cell};
 
 const SIDE: i32 = 16;
@@ -85,15 +85,4 @@ fn indices(blocks: &Fields, entries: usize) -> Result<Vec<usize>, ReadError> {
         (long & ((1 << bits) - 1)) as usize
     };
     Ok((0..CELLS).map(index).collect())
-}
-
-impl<'a> FromTag<'a> for &'a [i64] {
-    const EXPECTED: &'static str = "a Long Array";
-
-    fn from_tag(tag: &'a Tag) -> Option<&'a [i64]> {
-        match tag {
-            Tag::LongArray(numbers) => Some(numbers),
-            _ => None,
-        }
-    }
 }
