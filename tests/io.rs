@@ -16,6 +16,8 @@ mod magica;
 mod mcedit;
 #[path = "io/mcstructure.rs"]
 mod mcstructure;
+#[path = "io/mesh.rs"]
+mod mesh;
 #[path = "io/obj.rs"]
 mod obj;
 #[path = "common/real.rs"]

@@ -202,10 +202,7 @@ impl Output {
 fn mesh(path: &Path, grid: &Grid) -> Vec<Output> {
     let materials = path.with_extension("mtl");
     let name = materials.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let mesh = io::encode_obj_mesh(grid, &name, |state| {
-        let [r, g, b, _] = block::color(state).0;
-        [r, g, b]
-    });
+    let mesh = io::encode_obj_mesh(grid, &name, block::color);
     if is_stdio(path) {
         let alone =
             mesh.obj.lines().filter(|line| !line.starts_with("mtllib ")).map(|line| format!("{line}\n"));

@@ -1,12 +1,10 @@
 use super::read;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vox::block::BlockState;
-use vox::grid::{Grid, LabelledBox, LabelledBoxes};
-use vox::io::{Content, Scale, decode_obj_boxes, encode_obj_boxes, encode_obj_mesh};
+use vox::grid::{LabelledBox, LabelledBoxes};
+use vox::io::{Content, Scale, decode_obj_boxes, encode_obj_boxes};
 use vox::space::{Bounds, Cell};
 
 fn labelled_box() -> impl Strategy<Value = LabelledBox> {
@@ -96,36 +94,4 @@ fn labels_stay_on_their_line() {
     let labelled = LabelledBox { label: "my #1\nwall".into(), bounds: Bounds::of_size(Cell::ONE) };
     let back = decode_obj_boxes(encode_obj_boxes(&[labelled]).as_bytes(), Scale::default()).unwrap();
     assert_eq!(back.boxes[0].label, "my__1_wall");
-}
-
-fn two_blocks() -> Grid {
-    let mut grid = Grid::new(Cell::new(2, 2, 1));
-    let stairs: BlockState = "oak_stairs[facing=east]".parse().unwrap();
-    let turned = stairs.clone().with("facing", "west");
-    for (cell, state) in [(Cell::ZERO, stairs), (Cell::X, turned)] {
-        let id = grid.intern(&state).unwrap();
-        grid.set(cell, id);
-    }
-    grid
-}
-
-#[test]
-fn a_mesh_has_one_material_per_block_name() {
-    let mesh = encode_obj_mesh(&two_blocks(), "house.mtl", |_| [255, 0, 51]);
-    assert_eq!(mesh.mtl, "newmtl oak_stairs\nKd 1.0000 0.0000 0.2000\n");
-    let lines: Vec<&str> = mesh.obj.lines().collect();
-    let count = |start| lines.iter().filter(|line| line.starts_with(start)).count();
-    assert_eq!(lines[0], "mtllib house.mtl");
-    assert_eq!([count("v "), count("usemtl oak_stairs"), count("f ")], [8, 1, 6]);
-}
-
-#[test]
-fn a_mesh_points_only_to_its_own_vertices_and_materials() {
-    let mesh = encode_obj_mesh(&two_blocks(), "house.mtl", |_| [0, 0, 0]);
-    let words = |keyword| mesh.obj.lines().filter_map(move |line| line.strip_prefix(keyword));
-    let vertices = words("v ").count();
-    let used: BTreeSet<usize> =
-        words("f ").flat_map(|corners| corners.split(' ').map(|n| n.parse::<usize>().unwrap())).collect();
-    assert_eq!(used, (1..=vertices).collect());
-    assert!(words("usemtl ").all(|name| mesh.mtl.contains(&format!("newmtl {name}\n"))));
 }

@@ -1,5 +1,7 @@
-use super::quads::{Quad, outside};
-use crate::block::BlockState;
+use super::look::{Face, Look, Patch, STEPS};
+use super::materials::Materials;
+use super::quads::merged;
+use crate::block::{BlockState, Facing, Rgba};
 use crate::grid::Grid;
 use crate::space::Cell;
 use rustc_hash::FxHashMap;
@@ -11,53 +13,83 @@ pub struct ObjMesh {
     pub mtl: String,
 }
 
-/// The outside of `grid` as a mesh, every block a cube in the colour that `color` gives it (sRGB).
-/// One material per block name. `mtl_name` is what the file of the materials will be called.
-pub fn encode_obj_mesh(grid: &Grid, mtl_name: &str, color: impl Fn(&BlockState) -> [u8; 3]) -> ObjMesh {
+/// The outside of `grid` as a mesh, every block in its shape and in the colour that `color` gives it (sRGB). Faces
+/// that a neighbour covers are left out; whole blocks are drawn together. One material per block name. `mtl_name` is
+/// what the file of the materials will be called.
+pub fn encode_obj_mesh(grid: &Grid, mtl_name: &str, color: impl Fn(&BlockState) -> Rgba) -> ObjMesh {
     let materials = Materials::of(grid, color);
-    let quads = outside(grid.bounds(), |cell| materials.by_id[usize::from(grid.id(cell))]);
-    let mut vertices = Vertices::default();
-    let faces = faces(&materials, &quads, &mut vertices);
-    let points = vertices.points.iter().map(|Cell { x, y, z }| format!("v {x} {y} {z}\n"));
-    ObjMesh {
-        obj: format!("mtllib {mtl_name}\n{}{faces}", points.collect::<String>()),
-        mtl: materials.named.iter().map(|(name, color)| mtl(name, *color)).collect(),
+    let looks = grid.palette().states().iter().map(|state| Look::of(state, &materials));
+    let scene = Scene { grid, looks: looks.collect() };
+    let mut mesh = Mesh::new(&materials);
+    scene.draw_whole_blocks(&mut mesh);
+    scene.draw_parts(&mut mesh);
+    ObjMesh { obj: mesh.obj(mtl_name), mtl: materials.mtl() }
+}
+
+/// A grid with the looks of its palette numbers.
+struct Scene<'a> {
+    grid: &'a Grid,
+    looks: Vec<Look>,
+}
+
+impl Scene<'_> {
+    fn look(&self, cell: Cell) -> &Look {
+        &self.looks[usize::from(self.grid.id(cell))]
     }
-}
 
-/// The materials in order of name, and which one each palette number has; air has none.
-struct Materials {
-    named: Vec<(String, [u8; 3])>,
-    by_id: Vec<Option<usize>>,
-}
+    /// Whether what the block at `cell` has on this side can be seen.
+    fn is_seen(&self, cell: Cell, facing: Facing, patch: Patch, material: usize) -> bool {
+        let neighbour = cell + facing.step();
+        !self.grid.bounds().contains(neighbour)
+            || !self.look(neighbour).hides(facing.opposite(), patch, material)
+    }
 
-impl Materials {
-    fn of(grid: &Grid, color: impl Fn(&BlockState) -> [u8; 3]) -> Materials {
-        let states = grid.palette().states();
-        let mut visible: Vec<&BlockState> = states.iter().filter(|state| !is_nothing(state)).collect();
-        visible.sort_unstable();
-        visible.dedup_by_key(|state| state.name());
-        let find =
-            |state: &BlockState| visible.binary_search_by_key(&state.name(), |found| found.name()).ok();
-        Materials {
-            by_id: states.iter().map(|state| if is_nothing(state) { None } else { find(state) }).collect(),
-            named: visible.iter().map(|state| (state.short_name().to_owned(), color(state))).collect(),
+    fn draw_whole_blocks(&self, mesh: &mut Mesh) {
+        let face = |cell, facing| {
+            let material = self.look(cell).whole?;
+            self.is_seen(cell, facing, Patch::WHOLE, material).then_some(material)
+        };
+        for quad in merged(self.grid.bounds(), face) {
+            mesh.add(quad.material, quad.corners.map(|corner| corner * STEPS));
+        }
+    }
+
+    fn draw_parts(&self, mesh: &mut Mesh) {
+        for cell in self.grid.bounds().cells() {
+            let look = self.look(cell);
+            if look.whole.is_some() {
+                continue;
+            }
+            let seen = |face: &&Face| {
+                face.patch.is_none_or(|patch| self.is_seen(cell, face.facing, patch, face.material))
+            };
+            for face in look.faces.iter().filter(seen) {
+                mesh.add(face.material, face.corners.map(|corner| cell * STEPS + corner));
+            }
         }
     }
 }
 
-fn is_nothing(state: &BlockState) -> bool {
-    ["air", "cave_air", "void_air", "structure_void"].contains(&state.short_name())
-}
-
-/// Points by number, each once.
-#[derive(Default)]
-struct Vertices {
+/// Faces by their materials, with their corners in sixteenths of a block.
+struct Mesh<'a> {
+    materials: &'a Materials,
+    /// Each once.
     points: Vec<Cell>,
     numbers: FxHashMap<Cell, usize>,
+    faces: Vec<String>,
 }
 
-impl Vertices {
+impl Mesh<'_> {
+    fn new(materials: &Materials) -> Mesh<'_> {
+        let faces = vec![String::new(); materials.len()];
+        Mesh { materials, points: Vec::new(), numbers: FxHashMap::default(), faces }
+    }
+
+    fn add(&mut self, material: usize, corners: [Cell; 4]) {
+        let [a, b, c, d] = corners.map(|corner| self.number(corner));
+        self.faces[material] += &format!("f {a} {b} {c} {d}\n");
+    }
+
     /// The number of `point`, from 1.
     fn number(&mut self, point: Cell) -> usize {
         *self.numbers.entry(point).or_insert_with(|| {
@@ -65,19 +97,16 @@ impl Vertices {
             self.points.len()
         })
     }
-}
 
-fn faces(materials: &Materials, quads: &[Quad], vertices: &mut Vertices) -> String {
-    let mut by_material = vec![String::new(); materials.named.len()];
-    for quad in quads {
-        let [a, b, c, d] = quad.corners.map(|corner| vertices.number(corner));
-        by_material[quad.material] += &format!("f {a} {b} {c} {d}\n");
+    fn obj(&self, mtl_name: &str) -> String {
+        let mut text = format!("mtllib {mtl_name}\n");
+        for point in &self.points {
+            let [x, y, z] = point.to_array().map(|n| f64::from(n) / f64::from(STEPS));
+            text += &format!("v {x} {y} {z}\n");
+        }
+        for (material, faces) in self.faces.iter().enumerate().filter(|(_, faces)| !faces.is_empty()) {
+            text += &format!("usemtl {}\n{faces}", self.materials.name(material));
+        }
+        text
     }
-    let used = materials.named.iter().zip(by_material).filter(|(_, faces)| !faces.is_empty());
-    used.map(|((name, _), faces)| format!("usemtl {name}\n{faces}")).collect()
-}
-
-fn mtl(name: &str, color: [u8; 3]) -> String {
-    let [red, green, blue] = color.map(|channel| f64::from(channel) / 255.0);
-    format!("newmtl {name}\nKd {red:.4} {green:.4} {blue:.4}\n")
 }

@@ -2,6 +2,8 @@
 
 mod boxes;
 mod error;
+mod look;
+mod materials;
 mod mesh;
 mod parse;
 mod quads;

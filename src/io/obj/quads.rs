@@ -1,5 +1,6 @@
 //! The outside of things made of cubes, as rectangles with their corners counter-clockwise.
 
+use crate::block::Facing;
 use crate::space::{Axis, Bounds, Cell};
 
 /// The corners of the unit cube, numbered by the bits x, y, z.
@@ -14,44 +15,36 @@ pub(super) const CORNERS: [Cell; 8] = [
     Cell::new(1, 1, 1),
 ];
 
-/// The faces of a cube by their corners: west, east, down, up, north, south.
+/// The sides of a cube in the order of [`FACES`].
+const SIDES: [Facing; 6] =
+    [Facing::West, Facing::East, Facing::Down, Facing::Up, Facing::North, Facing::South];
+
+/// The faces of a cube by their corners.
 pub(super) const FACES: [[usize; 4]; 6] =
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
 /// A rectangle on the outside of cells of one material.
 pub(super) struct Quad {
     pub material: usize,
+    pub facing: Facing,
     pub corners: [Cell; 4],
-}
-
-/// Which of the two faces of a cell across an axis.
-#[derive(Clone, Copy)]
-enum Side {
-    Low,
-    High,
-}
-
-impl Side {
-    fn step(self, axis: Axis) -> Cell {
-        match self {
-            Side::Low => -axis.unit(),
-            Side::High => axis.unit(),
-        }
-    }
 }
 
 /// The faces between cells with a material and cells without one, each as few rectangles.
 pub(super) fn outside(bounds: Bounds, material: impl Fn(Cell) -> Option<usize>) -> Vec<Quad> {
     let material = |cell: Cell| if bounds.contains(cell) { material(cell) } else { None };
+    merged(bounds, |cell, facing| material(cell).filter(|_| material(cell + facing.step()).is_none()))
+}
+
+/// The faces of cells that `face` gives a material, as few rectangles.
+pub(super) fn merged(bounds: Bounds, face: impl Fn(Cell, Facing) -> Option<usize>) -> Vec<Quad> {
     let mut quads = Vec::new();
-    for axis in Axis::ALL {
-        for side in [Side::Low, Side::High] {
-            for layer in axis.of(bounds.min)..axis.of(bounds.max) {
-                let slab = bounds.slab(axis, layer, layer + 1);
-                let face = |cell| material(cell).filter(|_| material(cell + side.step(axis)).is_none());
-                for (material, rectangle) in rectangles(slab, axis, face) {
-                    quads.push(Quad { material, corners: corners(rectangle, axis, side) });
-                }
+    for facing in SIDES {
+        let axis = facing.axis();
+        for layer in axis.of(bounds.min)..axis.of(bounds.max) {
+            let slab = bounds.slab(axis, layer, layer + 1);
+            for (material, rectangle) in rectangles(slab, axis, |cell| face(cell, facing)) {
+                quads.push(Quad { material, facing, corners: corners(rectangle, facing) });
             }
         }
     }
@@ -111,8 +104,8 @@ impl Layer {
     }
 }
 
-fn corners(rectangle: Bounds, axis: Axis, side: Side) -> [Cell; 4] {
-    let face = 2 * axis.index() + side as usize;
+fn corners(rectangle: Bounds, facing: Facing) -> [Cell; 4] {
+    let face = SIDES.iter().position(|&side| side == facing).unwrap_or_default();
     FACES[face].map(|corner| rectangle.min + rectangle.size() * CORNERS[corner])
 }
 
@@ -124,9 +117,7 @@ mod tests {
     fn faces_look_outwards() {
         for (face, corners) in FACES.iter().enumerate() {
             let [a, b, c, _] = corners.map(|corner| CORNERS[corner]);
-            let axis = Axis::ALL[face / 2];
-            let outwards = if face % 2 == 0 { -axis.unit() } else { axis.unit() };
-            assert_eq!((b - a).cross(c - b), outwards, "face {face}");
+            assert_eq!((b - a).cross(c - b), SIDES[face].step(), "face {face}");
         }
     }
 
