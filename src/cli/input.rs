@@ -5,7 +5,7 @@ use super::report::{self, Source};
 use crate::grammar::{self, Checked, Severity};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
-use crate::io::{self, Content, Limits, ReadError, Scale};
+use crate::io::{self, About, Content, Decoded, Limits, ReadError, Scale};
 use crate::run::{Library, RunError};
 use std::path::{Path, PathBuf};
 
@@ -71,11 +71,27 @@ pub fn scale(text: &str) -> Result<Scale, String> {
 /// The content of a building's file. What reading it had to put right is told.
 pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
     let name = name(path);
-    let bytes = bytes(path, reading.limits.max_bytes)?;
-    let decoded = io::decode_scaled(&bytes, &reading.limits, reading.scale)
-        .map_err(|error| Failure::read(&name, &error))?;
+    let decoded = decoded(&name, &bytes(path, reading.limits.max_bytes)?, reading)?;
     decoded.warnings.iter().for_each(|warning| report::warning(&format!("{name}: {warning}")));
     Ok(decoded.content)
+}
+
+fn decoded(name: &str, bytes: &[u8], reading: &Reading) -> Result<Decoded, Failure> {
+    let decoded = io::decode_scaled(bytes, &reading.limits, reading.scale);
+    decoded.map_err(|error| Failure::read(name, &error))
+}
+
+/// All that can be told of a building's file.
+pub struct Survey {
+    pub about: About,
+    pub decoded: Decoded,
+}
+
+pub fn survey(path: &Path, reading: &Reading) -> Result<Survey, Failure> {
+    let name = name(path);
+    let bytes = bytes(path, reading.limits.max_bytes)?;
+    let about = io::about(&bytes, &reading.limits).map_err(|error| Failure::read(&name, &error))?;
+    Ok(Survey { about, decoded: decoded(&name, &bytes, reading)? })
 }
 
 /// The blocks of a file; labelled boxes have none.

@@ -16,7 +16,9 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   vox materials house.schem
-  vox materials out/*.schem --json")]
+  vox materials out/*.schem --json
+
+A box is a shulker box of 27 stacks.")]
 pub struct Args {
     /// Schematics, or - for standard input
     #[arg(required = true)]

@@ -5,6 +5,7 @@ mod check;
 mod completions;
 mod convert;
 mod crop;
+mod diff;
 mod failure;
 mod graph;
 mod infer;
@@ -53,6 +54,7 @@ enum Command {
     Info(info::Args),
     Render(render::Args),
     Convert(convert::Args),
+    Diff(diff::Args),
     Turn(turn::Args),
     Crop(crop::Args),
     Replace(replace::Args),
@@ -75,6 +77,7 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Info(args) => info::execute(&args),
         Command::Render(args) => render::execute(&args),
         Command::Convert(args) => convert::execute(&args),
+        Command::Diff(args) => return diff::execute(&args),
         Command::Turn(args) => turn::execute(&args),
         Command::Crop(args) => crop::execute(&args),
         Command::Replace(args) => replace::execute(args),

@@ -4,9 +4,11 @@
 mod anchor;
 mod count;
 mod crop;
+mod diff;
 mod entity;
 mod labelled;
 mod metadata;
+mod oddity;
 mod replace;
 mod split;
 mod turn;
@@ -18,8 +20,10 @@ use ndarray::Array3;
 use std::collections::BTreeMap;
 
 pub use anchor::{Anchor, NoDoor};
+pub use diff::{BlockDiff, Diff};
 pub use labelled::{LabelledBox, LabelledBoxes};
 pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region};
+pub use oddity::Oddity;
 pub use replace::Replaced;
 
 /// A box of blocks. Every cell holds a number of the palette; 0 is air.

@@ -1,6 +1,6 @@
 use super::{
-    Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, magica, mcedit,
-    mcstructure, obj, region, schem,
+    About, Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, magica,
+    mcedit, mcstructure, obj, region, schem,
 };
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
@@ -63,8 +63,16 @@ fn of_grid((grid, warnings): (Grid, Vec<Warning>)) -> Decoded {
 
 /// What format the bytes of a file are in.
 pub fn sniff(bytes: &[u8], limits: &Limits) -> Result<Format, ReadError> {
+    about(bytes, limits).map(|about| about.format)
+}
+
+/// What the bytes of a file say of how they are written.
+pub fn about(bytes: &[u8], limits: &Limits) -> Result<About, ReadError> {
     let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    parse(&plain, limits).map(|parsed| parsed.format())
+    parse(&plain, limits).map(|parsed| match parsed {
+        Parsed::Tags(format, root) => About::of_tags(format, &root),
+        Parsed::Bytes(format) => About { format, version: None },
+    })
 }
 
 enum Parsed {

@@ -44,6 +44,28 @@ impl Format {
         }
     }
 
+    /// How the names of such files end.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Format::Schem => "schem",
+            Format::Obj => "obj",
+            Format::Litematic => "litematic",
+            Format::Structure => "nbt",
+            Format::Mcedit => "schematic",
+            Format::Blueprint => "blueprint",
+            Format::Mcstructure => "mcstructure",
+            Format::Axiom => "bp",
+            Format::MagicaVoxel => "vox",
+            Format::Region => "mca",
+            Format::Png => "png",
+            Format::Jpeg => "jpg",
+            Format::Zip => "zip",
+            Format::Xml => "xml",
+            Format::Json => "json",
+            Format::Text => "txt",
+        }
+    }
+
     /// What unpacked `bytes` are by their first bytes; `None` for NBT, which its tags tell apart,
     /// and for the unknown.
     pub(super) fn of_bytes(bytes: &[u8]) -> Option<Format> {

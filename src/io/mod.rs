@@ -7,6 +7,7 @@
 //!
 //! What a file is, its content says: names and extensions are never asked.
 
+mod about;
 mod attached;
 mod axiom;
 mod blueprint;
@@ -34,7 +35,8 @@ mod varint;
 mod volume;
 mod warning;
 
-pub use decode::{Content, Decoded, decode, decode_scaled, decode_with, sniff};
+pub use about::About;
+pub use decode::{Content, Decoded, about, decode, decode_scaled, decode_with, sniff};
 pub use encoded::Encoded;
 pub use error::{ReadError, WriteError};
 pub use file::{Staged, read, read_bytes, write_atomic};

@@ -1,0 +1,116 @@
+//! `vox info`.
+
+mod json;
+mod tags;
+mod text;
+
+use super::failure::Failure;
+use super::input::{self, Reading, Survey};
+use super::output;
+use crate::grid::{BiomeMap, Entity, Grid, LabelledBoxes};
+use crate::io::{Content, Format, Scale};
+use crate::nbt::{Compound, Tag};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Tell what is in a file: its format, its size, its blocks, what it says of itself, what is odd about it
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  vox info cottage.schem
+  vox info --json *.schem | jq .blocks")]
+pub struct Args {
+    /// Schematics or OBJ files, or - for standard input
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Blocks per unit of OBJ coordinates
+    #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
+    scale: Option<Scale>,
+    /// Print as JSON, one line a file
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn execute(args: &Args) -> Result<(), Failure> {
+    let reading = Reading { scale: args.scale.unwrap_or_default(), ..Reading::default() };
+    let mut failed = false;
+    for path in input::paths(&args.files)? {
+        match tell(&path, args, &reading) {
+            Ok(()) => {}
+            Err(Failure::Pipe) => return Err(Failure::Pipe),
+            Err(failure) => {
+                failure.report();
+                failed = true;
+            }
+        }
+    }
+    if failed { Err(Failure::Told) } else { Ok(()) }
+}
+
+fn tell(path: &Path, args: &Args, reading: &Reading) -> Result<(), Failure> {
+    let (name, survey) = (input::name(path), input::survey(path, reading)?);
+    let notes = notes(path, &survey);
+    match args.json {
+        true => output::json(&json::of(&name, &survey, &notes)),
+        false => output::stdout(text::of(&name, &survey, &notes).as_bytes()),
+    }
+}
+
+/// What is odd about a file.
+fn notes(path: &Path, survey: &Survey) -> Vec<String> {
+    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let format = survey.about.format;
+    let wrong_name = (!input::is_stdio(path) && !ending.eq_ignore_ascii_case(format.ending()))
+        .then(|| format!("the name ends in `.{ending}`, but this is {format}"));
+    let warnings = survey.decoded.warnings.iter().map(ToString::to_string);
+    let oddities = match &survey.decoded.content {
+        Content::Grid(grid) => grid.oddities(),
+        Content::Boxes(_) => Vec::new(),
+    };
+    let oddities = oddities.iter().map(ToString::to_string);
+    wrong_name.into_iter().chain(warnings).chain(oddities).collect()
+}
+
+/// The name of a format without its article.
+fn format_name(format: Format) -> String {
+    let described = format.to_string();
+    described.split_once(' ').map_or(described.clone(), |(_, name)| name.to_owned())
+}
+
+/// How many there are of each.
+type Counts = BTreeMap<String, u64>;
+
+fn block_entities(grid: &Grid) -> Counts {
+    counted(grid.block_entities.values().map(id))
+}
+
+fn entities(grid: &Grid) -> Counts {
+    counted(grid.metadata.entities.iter().map(|Entity { data, .. }| id(data)))
+}
+
+/// How many columns or cells each biome has.
+fn biomes(grid: &Grid) -> Counts {
+    let Some(biomes) = &grid.metadata.biomes else { return Counts::new() };
+    let name = |id: &u16| biomes.names.get(usize::from(*id)).map_or("unknown", String::as_str).to_owned();
+    match &biomes.map {
+        BiomeMap::Columns(columns) => counted(columns.iter().map(name)),
+        BiomeMap::Cells(cells) => counted(cells.iter().map(name)),
+    }
+}
+
+fn labels(boxes: &LabelledBoxes) -> Counts {
+    counted(boxes.boxes.iter().map(|labelled| labelled.label.clone()))
+}
+
+fn counted(names: impl Iterator<Item = String>) -> Counts {
+    let mut counts = Counts::new();
+    names.for_each(|name| *counts.entry(name).or_insert(0) += 1);
+    counts
+}
+
+fn id(data: &Compound) -> String {
+    match data.get("id") {
+        Some(Tag::String(id)) => id.strip_prefix("minecraft:").unwrap_or(id).to_owned(),
+        _ => "without an id".to_owned(),
+    }
+}

@@ -1,0 +1,177 @@
+use super::{Grid, entity};
+use crate::block::{self, BlockState, Facing};
+use crate::nbt::Tag;
+use crate::space::Cell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+/// Something in a build that its maker hardly meant.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Oddity {
+    /// Blocks of the game, by name, that are not known.
+    UnknownBlocks(BTreeSet<String>),
+    /// States that known blocks cannot be in, in words.
+    BadStates(BTreeSet<String>),
+    /// How many blocks lack their other half, by name.
+    Halves(BTreeMap<String, u64>),
+    /// Block entities where no block is.
+    EmptyBlockEntities(usize),
+    /// Block entities without an `id`.
+    UnnamedBlockEntities(usize),
+    EntitiesOutside(usize),
+    NoDataVersion,
+}
+
+impl Grid {
+    /// What is odd about this build.
+    pub fn oddities(&self) -> Vec<Oddity> {
+        let states: Vec<&BlockState> = self.counts().into_iter().map(|(state, _)| state).collect();
+        let entities = &self.metadata.entities;
+        let outside = entities.iter().filter(|entity| !self.bounds().contains(entity::home(entity)));
+        let unnamed =
+            self.block_entities.values().filter(|data| !matches!(data.get("id"), Some(Tag::String(_))));
+        let empty =
+            self.block_entities.keys().filter(|place| self.get(Cell::from_array(**place)).is_nothing());
+        let found = [
+            Some(Oddity::UnknownBlocks(unknown(&states))),
+            self.has_known_states().then(|| Oddity::BadStates(bad(&states))),
+            Some(Oddity::Halves(self.lone_halves())),
+            Some(Oddity::EmptyBlockEntities(empty.count())),
+            Some(Oddity::UnnamedBlockEntities(unnamed.count())),
+            Some(Oddity::EntitiesOutside(outside.count())),
+            self.metadata.data_version.is_none().then_some(Oddity::NoDataVersion),
+        ];
+        found.into_iter().flatten().filter(|oddity| !oddity.is_none()).collect()
+    }
+
+    /// Blocks had other properties before 1.20, so nothing can be said of states of those times.
+    fn has_known_states(&self) -> bool {
+        const FIRST: i32 = 3463;
+        self.metadata.data_version.is_none_or(|version| version >= FIRST)
+    }
+
+    fn lone_halves(&self) -> BTreeMap<String, u64> {
+        let states = self.palette.states();
+        let steps: Vec<Option<Cell>> = states.iter().map(to_other_half).collect();
+        let mut lone = BTreeMap::new();
+        for ((y, z, x), id) in self.cells.indexed_iter() {
+            let Some(step) = steps[usize::from(*id)] else { continue };
+            let other = Cell::new(x as i32, y as i32, z as i32) + step;
+            let state = &states[usize::from(*id)];
+            let is_there = self.bounds().contains(other) && self.get(other).name() == state.name();
+            if !is_there {
+                *lone.entry(state.short_name().to_owned()).or_insert(0) += 1;
+            }
+        }
+        lone
+    }
+}
+
+/// Where the other half of a door, a bed or a tall plant stands.
+fn to_other_half(state: &BlockState) -> Option<Cell> {
+    let facing = || state.get("facing").and_then(Facing::named);
+    match (state.get("half"), state.get("part")) {
+        (Some("lower"), _) => Some(Cell::Y),
+        (Some("upper"), _) => Some(Cell::NEG_Y),
+        (_, Some("foot")) => Some(facing()?.step()),
+        (_, Some("head")) => Some(facing()?.opposite().step()),
+        _ => None,
+    }
+}
+
+fn unknown(states: &[&BlockState]) -> BTreeSet<String> {
+    let of_game = states.iter().filter(|state| state.name().starts_with("minecraft:"));
+    let unknown = of_game.filter(|state| block::known(state.name()).is_none());
+    unknown.map(|state| state.short_name().to_owned()).collect()
+}
+
+fn bad(states: &[&BlockState]) -> BTreeSet<String> {
+    states.iter().filter_map(|state| block::check(state).err()).map(|problem| problem.to_string()).collect()
+}
+
+impl Oddity {
+    /// Whether there is nothing of the kind.
+    fn is_none(&self) -> bool {
+        match self {
+            Oddity::UnknownBlocks(names) | Oddity::BadStates(names) => names.is_empty(),
+            Oddity::Halves(counts) => counts.is_empty(),
+            Oddity::EmptyBlockEntities(count)
+            | Oddity::UnnamedBlockEntities(count)
+            | Oddity::EntitiesOutside(count) => *count == 0,
+            Oddity::NoDataVersion => false,
+        }
+    }
+}
+
+impl fmt::Display for Oddity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Oddity::UnknownBlocks(names) => write!(f, "unknown blocks: {}", listed(names, ", ")),
+            Oddity::BadStates(problems) => write!(f, "{}", listed(problems, "; ")),
+            Oddity::Halves(counts) => {
+                let each: BTreeSet<String> =
+                    counts.iter().map(|(name, count)| format!("{count} {name}")).collect();
+                write!(f, "without their other half: {}", listed(&each, ", "))
+            }
+            Oddity::EmptyBlockEntities(count) => write!(f, "block entities where no block is: {count}"),
+            Oddity::UnnamedBlockEntities(count) => write!(f, "block entities without an `id`: {count}"),
+            Oddity::EntitiesOutside(count) => write!(f, "entities outside of the building: {count}"),
+            Oddity::NoDataVersion => write!(f, "the file does not say which game version it is of"),
+        }
+    }
+}
+
+fn listed(texts: &BTreeSet<String>, between: &str) -> String {
+    const SHOWN: usize = 8;
+    let shown: Vec<&str> = texts.iter().take(SHOWN).map(String::as_str).collect();
+    let more = texts.len().saturating_sub(SHOWN);
+    let more = if more > 0 { format!("{between}and {more} more") } else { String::new() };
+    format!("{}{more}", shown.join(between))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::Entity;
+    use crate::nbt::Compound;
+
+    fn row(names: &[&str]) -> Grid {
+        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
+        for (x, name) in (0..).zip(names) {
+            let id = grid.intern(&name.parse().unwrap()).unwrap();
+            grid.set(Cell::new(x, 0, 0), id);
+        }
+        grid
+    }
+
+    fn told(grid: &Grid) -> Vec<String> {
+        grid.oddities().iter().map(Oddity::to_string).collect()
+    }
+
+    #[test]
+    fn a_sound_build_has_none() {
+        let mut grid =
+            row(&["red_bed[facing=east,part=foot]", "red_bed[facing=east,part=head]", "mod:x[a=b]"]);
+        grid.metadata.data_version = Some(3465);
+        assert_eq!(grid.oddities(), []);
+    }
+
+    #[test]
+    fn each_is_told() {
+        let mut grid = row(&["oak_door[half=lower]", "stone[lit=true]", "glowing_rock", "air"]);
+        grid.block_entities.insert([3, 0, 0], Compound::new());
+        grid.metadata.entities.push(Entity { place: [9.0, 0.0, 0.0], data: Compound::new() });
+        let expected = [
+            "unknown blocks: glowing_rock",
+            "`stone` has no property `lit`: it takes none",
+            "without their other half: 1 oak_door",
+            "block entities where no block is: 1",
+            "block entities without an `id`: 1",
+            "entities outside of the building: 1",
+            "the file does not say which game version it is of",
+        ];
+        assert_eq!(told(&grid), expected);
+        grid.metadata.data_version = Some(2586);
+        assert!(!told(&grid).iter().any(|line| line.contains("lit")));
+    }
+}
