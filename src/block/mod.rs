@@ -14,6 +14,7 @@ mod pattern;
 mod replacement;
 mod shape;
 mod state;
+mod sturdy;
 mod suggest;
 mod turn;
 
@@ -30,5 +31,6 @@ pub use palette::{Palette, PaletteFull};
 pub use replacement::{BadReplacement, Replacement};
 pub use shape::{Arm, Bend, Half, Hung, Leaves, Plant, Post, Shape, Sides, Slope, shape};
 pub use state::{BadBlockState, BlockState};
+pub use sturdy::{Bottom, bottom, sturdy};
 pub use suggest::suggest;
 pub use turn::{Mirror, Motion};
