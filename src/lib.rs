@@ -15,6 +15,8 @@ pub mod block;
 
 pub mod grid;
 
+pub mod neighbours;
+
 pub mod grammar;
 
 pub mod graph;

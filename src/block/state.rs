@@ -87,6 +87,14 @@ impl BlockState {
         self
     }
 
+    /// This state without a property of that key.
+    pub fn without(mut self, key: &str) -> BlockState {
+        if let Ok(at) = self.position(key) {
+            self.properties.remove(at);
+        }
+        self
+    }
+
     /// This state with every property replaced by what `change` makes of its key and value.
     pub(super) fn map(
         &self,

@@ -1,0 +1,73 @@
+//! What blocks take from their neighbours: the sides of fences, the corners of stairs, the halves of doors.
+//! Knows the rules of the game for them, and nothing of files or grammars.
+//!
+//! A state that carries none of these properties is open: it takes them from its neighbours. One that carries
+//! them stays as it is written. Cells outside of the grid and those left alone count as air.
+
+mod chests;
+mod halves;
+mod joint;
+mod redstone;
+mod sides;
+mod site;
+mod stairs;
+mod unsettle;
+mod walls;
+
+use crate::block::{self, PaletteFull};
+use crate::grid::Grid;
+use crate::space::Cell;
+use joint::Joint;
+use site::{Answer, Site};
+
+pub use joint::{bare, opened};
+pub use unsettle::unsettle;
+
+/// Gives every open state of the grid and its variants what its neighbours ask for, and every other absent
+/// property its default. States that become equal are one in the palette.
+pub fn settle(grid: &mut Grid) -> Result<(), PaletteFull> {
+    grid.variants.iter_mut().try_for_each(settle)?;
+    if grid.palette().states().iter().any(joint::is_open) {
+        let mut site = Site::new(grid);
+        halves::settle(&mut site)?;
+        chests::settle(&mut site)?;
+        // What is fixed to stairs depends on their corners, and walls on what stands on them.
+        site.each(&[Joint::Stairs], stairs::corner)?;
+        site.each(&JOINED, joined)?;
+        site.each(&[Joint::Wall], walls::arms_and_post)?;
+    }
+    complete(grid)
+}
+
+/// Blocks whose answers do not depend on each other's.
+const JOINED: [Joint; 8] = [
+    Joint::Fence,
+    Joint::Pane,
+    Joint::Gate,
+    Joint::Wire,
+    Joint::Tripwire,
+    Joint::Vine,
+    Joint::Chorus,
+    Joint::Snowy,
+];
+
+fn joined(site: &Site<'_>, cell: Cell) -> Answer {
+    match site.block(cell).joint {
+        Some(Joint::Fence) => sides::fence(site, cell),
+        Some(Joint::Pane) => sides::pane(site, cell),
+        Some(Joint::Gate) => sides::gate(site, cell),
+        Some(Joint::Chorus) => sides::chorus(site, cell),
+        Some(Joint::Vine) => sides::vine(site, cell),
+        Some(Joint::Snowy) => sides::snowy(site, cell),
+        Some(Joint::Wire) => redstone::wire(site, cell),
+        Some(Joint::Tripwire) => redstone::tripwire(site, cell),
+        _ => Answer::new(),
+    }
+}
+
+fn complete(grid: &mut Grid) -> Result<(), PaletteFull> {
+    match grid.palette().states().iter().all(joint::is_complete) {
+        true => Ok(()),
+        false => grid.map_states(block::complete),
+    }
+}

@@ -1,0 +1,54 @@
+use super::{bare, settle};
+use crate::block::PaletteFull;
+use crate::grid::Grid;
+
+/// Rounds after which everything stays written that neighbours could decide.
+const MOST_ROUNDS: usize = 16;
+
+/// Takes off what neighbours decide, wherever [`settle`] gives it back: settling the grid again gives what
+/// settling it before would have given.
+pub fn unsettle(grid: &mut Grid) -> Result<(), PaletteFull> {
+    settle(grid)?;
+    grid.variants.iter_mut().try_for_each(unsettle)?;
+    let variants = std::mem::take(&mut grid.variants);
+    if let Some(open) = open(grid)? {
+        *grid = open;
+    }
+    grid.variants = variants;
+    Ok(())
+}
+
+/// The whole grid with bare states in all cells where that is enough.
+fn open(whole: &Grid) -> Result<Option<Grid>, PaletteFull> {
+    let mut written = vec![false; whole.cells().len()];
+    for _ in 0..MOST_ROUNDS {
+        let open = bared(whole, &written)?;
+        let mut settled = open.clone();
+        settle(&mut settled)?;
+        let differing = differing(whole, &settled);
+        if differing.is_empty() {
+            return Ok(Some(open));
+        }
+        differing.into_iter().for_each(|at| written[at] = true);
+    }
+    Ok(None)
+}
+
+/// `whole` with bare states in all cells but those `written`.
+fn bared(whole: &Grid, written: &[bool]) -> Result<Grid, PaletteFull> {
+    let mut grid = whole.clone();
+    let states = whole.palette().states().iter();
+    let bare = states.map(|state| grid.intern(&bare(state))).collect::<Result<Vec<u16>, _>>()?;
+    for (cell, _) in whole.bounds().cells().zip(written).filter(|(_, written)| !**written) {
+        grid.set(cell, bare[usize::from(whole.id(cell))]);
+    }
+    Ok(grid)
+}
+
+/// The cells, by number, that hold something else than `whole` has there.
+fn differing(whole: &Grid, other: &Grid) -> Vec<usize> {
+    let states = whole.palette().states().iter();
+    let same: Vec<Option<u16>> = states.map(|state| other.palette().find(state)).collect();
+    let cells = whole.cells().iter().zip(other.cells()).enumerate();
+    cells.filter(|(_, (own, id))| same[usize::from(**own)] != Some(**id)).map(|(at, _)| at).collect()
+}

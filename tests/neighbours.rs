@@ -1,0 +1,11 @@
+//! What blocks take from their neighbours.
+
+#[path = "common/real.rs"]
+mod real;
+
+#[path = "neighbours/cases.rs"]
+mod cases;
+#[path = "neighbours/houses.rs"]
+mod houses;
+#[path = "neighbours/laws.rs"]
+mod laws;
