@@ -1,5 +1,6 @@
 use crate::block::{self, BlockState, Family};
 use crate::grammar::ast::{BinaryOp, Function, UnaryOp};
+use crate::neighbours::opened;
 use crate::space::Axis;
 use std::hash::{Hash, Hasher};
 
@@ -38,14 +39,15 @@ impl Thing {
         }
     }
 
-    /// The block that it is, with all its properties; of a family, its full block.
+    /// The block that it is, with all properties but those that its neighbours are to decide; of a family, its
+    /// full block.
     pub fn block(&self) -> Option<BlockState> {
         match self {
             Thing::Name(name) => {
-                let known = block::known(name).map(|known| known.default_state());
-                known.or_else(|| Family::of(name).map(|family| family.full))
+                let known = block::known(name).and_then(|known| BlockState::new(known.name()).ok());
+                known.map(|state| opened(&state)).or_else(|| Family::of(name).map(|family| family.full))
             }
-            Thing::Block(text) => text.parse().ok().map(|state| block::complete(&state)),
+            Thing::Block(text) => text.parse().ok().map(|state| opened(&state)),
             Thing::File(_) => None,
         }
     }

@@ -3,7 +3,6 @@
 use super::Labels;
 use super::emit::turned_label;
 use super::example::Example;
-use crate::block::{self, BlockState};
 use crate::grammar::ast::{BinaryOp, Function, SizeKind};
 use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph, Size};
 use crate::grid::{Grid, LabelledBoxes};
@@ -21,6 +20,7 @@ pub enum Derivable {
 /// Searches for a derivation of `example` from the root of `graph`, on a scope of the example's size.
 /// `labels` says which label a constant stands for.
 pub fn derivable(graph: &OpGraph, labels: &Labels, example: &Example) -> Derivable {
+    let example = &example.open();
     let target = Target::of(example);
     let frame = Frame { up: graph.up, turn: Turn::NONE };
     let mut search = Search { graph, labels, target, known: FxHashMap::default() };
@@ -32,7 +32,7 @@ pub fn derivable(graph: &OpGraph, labels: &Labels, example: &Example) -> Derivab
 
 /// What has to be derived.
 enum Target<'e> {
-    Blocks { grid: &'e Grid, states: Vec<BlockState> },
+    Blocks(&'e Grid),
     Boxes(Placed<'e>),
 }
 
@@ -66,18 +66,14 @@ impl<'e> Placed<'e> {
 impl<'e> Target<'e> {
     fn of(example: &'e Example) -> Target<'e> {
         match example {
-            Example::Blocks(grid) => {
-                Target::Blocks { grid, states: grid.palette().states().iter().map(block::complete).collect() }
-            }
+            Example::Blocks(grid) => Target::Blocks(grid),
             Example::Boxes(boxes) => Target::Boxes(Placed::of(boxes)),
         }
     }
 
     fn is_empty(&self, bounds: Bounds) -> bool {
         match self {
-            Target::Blocks { grid, states } => {
-                bounds.cells().all(|cell| states[usize::from(grid.id(cell))].is_air())
-            }
+            Target::Blocks(grid) => bounds.cells().all(|cell| grid.get(cell).is_air()),
             Target::Boxes(boxes) => boxes.is_empty(bounds),
         }
     }
@@ -85,11 +81,11 @@ impl<'e> Target<'e> {
     /// Whether `scope` holds exactly the primitive of that name.
     fn is_primitive(&self, graph: &OpGraph, labels: &Labels, name: &Expr, scope: &Scope) -> bool {
         match (self, name) {
-            (Target::Blocks { grid, states }, Expr::Thing(thing)) => thing.block().is_some_and(|wanted| {
+            (Target::Blocks(grid), Expr::Thing(thing)) => thing.block().is_some_and(|wanted| {
                 let wanted = wanted.turned(scope.frame.turn);
-                scope.bounds.cells().all(|cell| states[usize::from(grid.id(cell))] == wanted)
+                scope.bounds.cells().all(|cell| *grid.get(cell) == wanted)
             }),
-            (Target::Blocks { .. }, _) => false,
+            (Target::Blocks(_), _) => false,
             (Target::Boxes(boxes), name) => boxes.labels.get(&scope.bounds).is_some_and(|label| {
                 let (label, turn) = turned_label(label);
                 Some(label) == label_of(graph, labels, name)

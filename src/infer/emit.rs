@@ -11,6 +11,7 @@ use crate::block::{self, BlockState};
 use crate::grammar::ast::BinaryOp;
 use crate::grammar::{is_primitive, is_reserved};
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize, Thing};
+use crate::neighbours::decided;
 use crate::space::{Axis, Bounds, Cell, Up};
 use std::collections::BTreeMap;
 
@@ -278,8 +279,13 @@ fn block_expr(state: &BlockState) -> Expr {
         return Expr::Thing(Thing::Block(state.to_string()));
     };
     let default = known.default_state();
-    let differing = state.properties().filter(|(key, value)| default.get(key) != Some(value));
-    let text: Vec<String> = differing.map(|(key, value)| format!("{key}={value}")).collect();
+    let differs = |key: &str| default.get(key) != state.get(key);
+    // What neighbours decide has to be said where it is not left to them.
+    let decided = decided(state);
+    let is_said = decided.iter().any(|key| state.get(key).is_some() && differs(key));
+    let said = decided.first().filter(|_| !is_said);
+    let shown = state.properties().filter(|(key, _)| differs(key) || said == Some(key));
+    let text: Vec<String> = shown.map(|(key, value)| format!("{key}={value}")).collect();
     match text.is_empty() {
         true => Expr::name(state.short_name()),
         false => Expr::Thing(Thing::Block(format!("{}[{}]", state.short_name(), text.join(",")))),
@@ -306,4 +312,46 @@ pub fn identifier(label: &str) -> String {
         name.insert(0, '_');
     }
     name
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::block::{all, complete};
+    use crate::neighbours::{bare, opened};
+
+    /// Every value of every block of the game, the other properties at their defaults.
+    fn states() -> impl Iterator<Item = BlockState> {
+        all().iter().flat_map(|known| {
+            let values = known.properties().iter().flat_map(|p| p.values.iter().map(|v| (p.key, *v)));
+            let changed = values.map(|(key, value)| known.default_state().with(key, value));
+            std::iter::once(known.default_state()).chain(changed)
+        })
+    }
+
+    #[test]
+    fn what_is_written_of_a_block_is_read_as_that_block() {
+        for state in states().flat_map(|state| [bare(&state), state]) {
+            assert_eq!(opened(&state), state);
+            let Expr::Thing(thing) = block_expr(&state) else { panic!("{state} is no thing") };
+            assert_eq!(thing.block(), Some(state), "{thing:?}");
+        }
+    }
+
+    #[test]
+    fn what_neighbours_decide_is_said_where_it_is_not_left_to_them() {
+        let cases = [
+            ("oak_fence", "oak_fence"),
+            ("oak_fence[east=true]", "oak_fence[east=true]"),
+            ("oak_fence[east=false]", "oak_fence[east=false]"),
+            ("oak_stairs[facing=east,shape=straight]", "oak_stairs[facing=east,shape=straight]"),
+            ("oak_door[half=lower,hinge=right]", "oak_door[half=lower,hinge=right]"),
+        ];
+        for (text, expected) in cases {
+            let state: BlockState = text.parse().unwrap();
+            let Expr::Thing(thing) = block_expr(&opened(&state)) else { panic!("{text}") };
+            assert_eq!(thing.text(), expected);
+            assert_eq!(complete(&thing.block().unwrap()), complete(&state));
+        }
+    }
 }

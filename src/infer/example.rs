@@ -2,8 +2,9 @@
 
 use super::tree::{Node, NodeId, Part, Tree, TreeBuilder};
 use super::{BadBoxes, PLAN_FIRST, UPRIGHT_FIRST, cuboids, split_boxes};
-use crate::block::{self, BlockState, Palette};
+use crate::block::{BlockState, Palette, PaletteFull, complete};
 use crate::grid::{Grid, LabelledBoxes};
+use crate::neighbours::unsettle;
 use crate::space::{Axis, Bounds};
 use ndarray::Array3;
 use std::collections::BTreeMap;
@@ -13,7 +14,7 @@ use std::collections::BTreeMap;
 #[expect(clippy::large_enum_variant, reason = "there are few examples")]
 pub enum Example {
     /// Blocks without labels; their terminals are cuboids of one block state. Properties that a state leaves
-    /// out are at their defaults.
+    /// out are as its neighbours ask for, or at their defaults.
     Blocks(Grid),
     /// Boxes with labels; each is a terminal.
     Boxes(LabelledBoxes),
@@ -37,7 +38,7 @@ impl Terminals {
     /// The number of each block of a palette.
     fn of_palette(&mut self, grid: &Grid) -> Vec<u32> {
         let states = grid.palette().states().iter();
-        states.map(|state| self.number(Terminal::Block(block::complete(state)))).collect()
+        states.map(|state| self.number(Terminal::Block(state.clone()))).collect()
     }
 
     fn number(&mut self, terminal: Terminal) -> u32 {
@@ -49,6 +50,14 @@ impl Terminals {
 }
 
 impl Example {
+    /// The example as a grammar writes it: without what the neighbours of blocks decide.
+    pub fn open(&self) -> Example {
+        match self {
+            Example::Blocks(grid) => Example::Blocks(open(grid)),
+            Example::Boxes(boxes) => Example::Boxes(boxes.clone()),
+        }
+    }
+
     /// The box that the example fills.
     pub fn bounds(&self) -> Bounds {
         match self {
@@ -97,6 +106,16 @@ impl Example {
             }
             Example::Boxes(_) => split_boxes(bounds, boxes, PLAN_FIRST),
         }
+    }
+}
+
+/// The grid with open states; with all properties written in the odd case that its palette is too full for that.
+fn open(grid: &Grid) -> Grid {
+    let mut open = grid.clone();
+    let mut full = grid.clone();
+    match unsettle(&mut open).or_else(|_| full.map_states(complete).map(|()| open = full)) {
+        Ok(()) => open,
+        Err(PaletteFull) => grid.clone(),
     }
 }
 

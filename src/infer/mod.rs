@@ -70,6 +70,7 @@ pub struct Learnt {
 ///
 /// The graph derives every example; [`derivable`] proves it.
 pub fn infer(examples: &[Example]) -> Result<Learnt, InferError> {
+    let examples: &[Example] = &examples.iter().map(Example::open).collect::<Vec<_>>();
     let first = examples.first().ok_or(InferError::NoExample)?;
     let mut terminals = Terminals::default();
     let exchanges = exchange::exchanges(examples, &mut terminals);

@@ -87,6 +87,11 @@ pub fn is_open(state: &BlockState) -> bool {
     !is_complete(state) && Joint::of(state).is_some_and(|joint| leaves_open(state, known, joint))
 }
 
+/// The properties of a block that its neighbours decide.
+pub fn decided(state: &BlockState) -> &'static [&'static str] {
+    Joint::of(state).map_or(&[], Joint::keys)
+}
+
 /// Whether no property is absent.
 pub fn is_complete(state: &BlockState) -> bool {
     let properties = block::known(state.name()).map_or(&[][..], Known::properties);

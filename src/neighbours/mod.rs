@@ -20,7 +20,7 @@ use crate::space::Cell;
 use joint::Joint;
 use site::{Answer, Site};
 
-pub use joint::{bare, opened};
+pub use joint::{bare, decided, opened};
 pub use unsettle::unsettle;
 
 /// Gives every open state of the grid and its variants what its neighbours ask for, and every other absent

@@ -14,6 +14,7 @@ mod start;
 
 use crate::graph::OpGraph;
 use crate::grid::{Grid, LabelledBox};
+use crate::neighbours::settle;
 use crate::space::{Bounds, Cell, Frame, Scope, Turn};
 use std::collections::BTreeMap;
 
@@ -68,12 +69,14 @@ pub struct Made<T> {
     pub warnings: Vec<Warning>,
 }
 
-/// Runs a graph and fills a grid of the start scope's size.
+/// Runs a graph and fills a grid of the start scope's size. What blocks leave open their neighbours decide, once
+/// all stand.
 pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made<Grid>, RunError> {
     let scope = start_scope(graph, options)?;
     let mut grid = Grid::new(scope.bounds.size());
     let mut brushes = brush::Brushes::new(library);
     let warnings = derive(graph, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
+    settle(&mut grid).map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
     grid.metadata.data_version = graph.data_version;
     Ok(Made { made: grid, warnings })
 }
