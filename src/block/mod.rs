@@ -16,7 +16,9 @@ mod shape;
 mod state;
 mod sturdy;
 mod suggest;
+mod translate;
 mod turn;
+mod version;
 
 pub use bedrock::bedrock_state;
 pub use boxes::{Cuboid, boxes};
@@ -33,4 +35,6 @@ pub use shape::{Arm, Bend, Half, Hung, Leaves, Plant, Post, Shape, Sides, Slope,
 pub use state::{BadBlockState, BlockState};
 pub use sturdy::{Bottom, bottom, sturdy};
 pub use suggest::suggest;
+pub use translate::{Newer, legal_in, translated};
 pub use turn::{Mirror, Motion};
+pub use version::Version;

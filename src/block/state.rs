@@ -87,6 +87,11 @@ impl BlockState {
         self
     }
 
+    /// A block of the game with the properties of this one.
+    pub(super) fn renamed(&self, name: &str) -> BlockState {
+        BlockState { name: format!("minecraft:{name}").into(), properties: self.properties.clone() }
+    }
+
     /// This state without a property of that key.
     pub fn without(mut self, key: &str) -> BlockState {
         if let Ok(at) = self.position(key) {

@@ -99,9 +99,9 @@ pub fn is_complete(state: &BlockState) -> bool {
 }
 
 fn leaves_open(state: &BlockState, known: &Known, joint: Joint) -> bool {
-    let absent = |key: &&str| state.get(key).is_none();
-    let shared = joint.shared().iter().filter(|key| known.property(key).is_some());
-    joint.keys().iter().all(|key| absent(key)) || shared.into_iter().any(absent)
+    let absent = |key: &&&str| state.get(key).is_none();
+    let mut shared = joint.shared().iter().filter(|key| known.property(key).is_some());
+    joint.keys().iter().filter(absent).count() == joint.keys().len() || shared.any(|key| absent(&key))
 }
 
 /// `state` with its absent properties at their defaults, but for those that its neighbours decide.
