@@ -9,3 +9,5 @@ mod cases;
 mod houses;
 #[path = "neighbours/laws.rs"]
 mod laws;
+#[path = "neighbours/mend.rs"]
+mod mend;

@@ -7,6 +7,7 @@ mod convert;
 mod crop;
 mod diff;
 mod failure;
+mod fix;
 mod graph;
 mod infer;
 mod info;
@@ -59,6 +60,7 @@ enum Command {
     Crop(crop::Args),
     Replace(replace::Args),
     Materials(materials::Args),
+    Fix(fix::Args),
     Completions(completions::Args),
 }
 
@@ -82,6 +84,7 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Crop(args) => crop::execute(&args),
         Command::Replace(args) => replace::execute(args),
         Command::Materials(args) => materials::execute(&args),
+        Command::Fix(args) => fix::execute(&args),
         Command::Completions(args) => completions::execute(&args),
     };
     match result {

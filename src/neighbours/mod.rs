@@ -7,6 +7,7 @@
 mod chests;
 mod halves;
 mod joint;
+mod mend;
 mod redstone;
 mod sides;
 mod site;
@@ -21,6 +22,7 @@ use joint::Joint;
 use site::{Answer, Site};
 
 pub use joint::{bare, decided, opened};
+pub use mend::{Mended, mend};
 pub use unsettle::unsettle;
 
 /// Gives every open state of the grid and its variants what its neighbours ask for, and every other absent

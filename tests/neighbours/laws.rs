@@ -50,7 +50,7 @@ const STATES: [&str; 40] = [
     "oak_trapdoor[facing=north,open=true]",
 ];
 
-fn grids() -> impl Strategy<Value = Grid> {
+pub fn grids() -> impl Strategy<Value = Grid> {
     let cells = |[x, y, z]: [i32; 3]| {
         let count = (x * y * z) as usize;
         prop::collection::vec(prop::sample::select(STATES.to_vec()), count)
@@ -59,7 +59,7 @@ fn grids() -> impl Strategy<Value = Grid> {
     [1..6, 1..4, 1..6].prop_flat_map(cells)
 }
 
-fn grid(size: Cell, states: &[&str]) -> Grid {
+pub fn grid(size: Cell, states: &[&str]) -> Grid {
     let mut grid = Grid::new(size);
     for (cell, state) in grid.bounds().cells().zip(states) {
         let id = grid.intern(&state.parse::<BlockState>().unwrap()).unwrap();
@@ -68,7 +68,7 @@ fn grid(size: Cell, states: &[&str]) -> Grid {
     grid
 }
 
-fn settled(grid: &Grid) -> Grid {
+pub fn settled(grid: &Grid) -> Grid {
     let mut grid = grid.clone();
     settle(&mut grid).unwrap();
     grid
@@ -95,7 +95,7 @@ fn mirrored(grid: &Grid, mirror: Mirror) -> Grid {
     moved(grid, |cell| cell - 2 * cell * unit, |state| state.mirrored(mirror))
 }
 
-fn states(grid: &Grid) -> Vec<String> {
+pub fn states(grid: &Grid) -> Vec<String> {
     grid.bounds().cells().map(|cell| format!("{cell} {}", grid.get(cell).short())).collect()
 }
 
