@@ -28,6 +28,8 @@ mod region;
 mod round_trip;
 #[path = "io/sniff.rs"]
 mod sniff;
+#[path = "io/structure.rs"]
+mod structure;
 #[path = "io/wild.rs"]
 mod wild;
 

@@ -1,6 +1,6 @@
 use super::{
     About, Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, magica,
-    mcedit, mcstructure, obj, region, schem,
+    mcedit, mcstructure, obj, region, schem, structure,
 };
 use crate::grid::{Grid, LabelledBoxes};
 use crate::nbt::{self, Compound, NbtError, NbtProblem};
@@ -42,6 +42,9 @@ pub fn decode_with(bytes: &[u8], limits: &Limits, options: &Options) -> Result<D
         Parsed::Tags(Format::Schem, root) => schem::decode(&root, limits).map(of_grid),
         Parsed::Tags(Format::Litematic, root) => {
             litematic::decode(&root, limits, options.region.as_deref()).map(of_grid)
+        }
+        Parsed::Tags(Format::Structure, root) => {
+            structure::decode(&root, limits, options.jigsaws).map(of_grid)
         }
         Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits).map(of_grid),
         Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits).map(of_grid),

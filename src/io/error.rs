@@ -61,6 +61,10 @@ pub enum ReadError {
     FarOut { path: String, position: Cell, size: Size },
     #[error("`{path}` holds {found} words: expected {expected} for the size {size} and {bits} bits a block")]
     WordCount { path: String, found: usize, expected: u64, size: Size, bits: u32 },
+    #[error(
+        "the size {size} makes {cells} blocks in each of {variants} palettes, more than {limit} in all, the limit"
+    )]
+    TooManyVariants { size: Size, cells: u64, variants: usize, limit: u64 },
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]
     TooFewBytes { size: Size, cells: u64, path: String, bytes: usize },
 

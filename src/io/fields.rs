@@ -52,15 +52,24 @@ impl<'a> Fields<'a> {
     /// The compounds of the list `name`; none where it is absent.
     pub fn list(&self, name: &str) -> Result<Vec<Fields<'a>>, ReadError> {
         let entries = self.find::<&[Tag]>(name)?.unwrap_or_default();
-        let each = entries.iter().enumerate().map(|(index, tag)| {
-            let path = format!("{}[{index}]", self.path(name));
-            match tag {
-                Tag::Compound(tags) => Ok(Fields::new(path, tags)),
-                other => Err(wrong_type::<&Compound>(path, other)),
-            }
-        });
-        each.collect()
+        values(&self.path(name), entries)
+            .map(|entry| entry.map(|(path, tags)| Fields::new(path, tags)))
+            .collect()
     }
+}
+
+/// The values of a list at `path`, each with its own path.
+pub(super) fn values<'a, T: FromTag<'a>>(
+    path: &str,
+    entries: &'a [Tag],
+) -> impl Iterator<Item = Result<(String, T), ReadError>> {
+    entries.iter().enumerate().map(move |(index, tag)| {
+        let path = format!("{path}[{index}]");
+        match T::from_tag(tag) {
+            Some(value) => Ok((path, value)),
+            None => Err(wrong_type::<T>(path, tag)),
+        }
+    })
 }
 
 fn wrong_type<'a, T: FromTag<'a>>(path: String, tag: &Tag) -> ReadError {

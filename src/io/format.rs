@@ -86,7 +86,7 @@ impl Format {
             _ if nested || has("BlockData") => Some(Format::Schem),
             Some(Tag::Compound(_)) => Some(Format::Schem),
             Some(Tag::ByteArray(_)) => Some(Format::Mcedit),
-            _ if has("Regions") => Some(Format::Litematic),
+            _ if matches!(root.get("Regions"), Some(Tag::Compound(_))) => Some(Format::Litematic),
             _ if has("size_x") => Some(Format::Blueprint),
             _ if has("size") && (has("palette") || has("palettes")) => Some(Format::Structure),
             _ if has("Palette") && has("Width") => Some(Format::Schem),

@@ -60,6 +60,13 @@ impl Lost {
         (!names.is_empty()).then_some(Lost::Metadata(names))
     }
 
+    /// As [`Lost::metadata`], where the format has a place for the tags `kept`.
+    pub(super) fn metadata_but(grid: &Grid, kept: &[&str]) -> Option<Lost> {
+        let names = grid.metadata.tags.keys().filter(|name| !kept.contains(&name.as_str()));
+        let names: Vec<String> = names.cloned().collect();
+        (!names.is_empty()).then_some(Lost::Metadata(names))
+    }
+
     /// The tags of other dialects than the one that is written.
     pub(super) fn own(grid: &Grid, written: Option<Dialect>) -> Option<Lost> {
         let own = grid.metadata.own.as_ref().filter(|own| Some(own.dialect) != written)?;

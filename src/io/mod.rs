@@ -1,8 +1,10 @@
-//! Files <-> grids and labelled boxes, one file per format. Knows nothing of grammars.
+//! Files <-> grids and labelled boxes, one folder per format. Knows nothing of grammars.
 //!
 //! ```text
-//! bytes --gzip--> bytes --sniff--> Format --schem--> Grid
-//!                                         --obj----> LabelledBoxes
+//! bytes --gzip--> bytes --sniff--> Format --schem------> Grid
+//!                                         --litematic--> Grid
+//!                                         --structure--> Grid
+//!                                         --obj--------> LabelledBoxes
 //! ```
 //!
 //! What a file is, its content says: names and extensions are never asked.
@@ -30,6 +32,7 @@ mod options;
 mod region;
 mod schem;
 mod states;
+mod structure;
 mod text;
 mod varint;
 mod volume;
@@ -50,5 +53,6 @@ pub use obj::{ObjError, ObjMesh, ObjProblem, Scale, decode_obj_boxes, encode_obj
 pub use options::{Jigsaws, Options};
 pub use region::{ChunkProblem, EncodedRegions, encode_regions, read_world};
 pub use schem::{DEFAULT_DATA_VERSION, SchemVersion, encode_schem};
+pub use structure::encode_structure;
 pub use varint::VarintProblem;
 pub use warning::Warning;

@@ -1,14 +1,14 @@
 //! Block states as the game's own files hold them: `{ Name: "minecraft:oak_log", Properties: { axis: "y" } }`.
 
 use super::ReadError;
-use super::fields::Fields;
+use super::fields::{self, Fields};
 use crate::block::{self, BlockState, Palette};
 use crate::nbt::{Compound, Tag};
 
-/// The states of the list `name`, in its order.
-pub(super) fn read_palette(fields: &Fields, name: &str) -> Result<Vec<BlockState>, ReadError> {
-    fields.get::<&[Tag]>(name)?;
-    fields.list(name)?.iter().map(read).collect()
+/// The states of the list at `path`, in its order.
+pub(super) fn read_palette(path: &str, entries: &[Tag]) -> Result<Vec<BlockState>, ReadError> {
+    let entries = fields::values(path, entries);
+    entries.map(|entry| entry.and_then(|(path, tags)| read(&Fields::new(path, tags)))).collect()
 }
 
 fn read(entry: &Fields) -> Result<BlockState, ReadError> {

@@ -53,4 +53,10 @@ pub enum Warning {
     FramesLater(usize),
     #[error("{0} voxels lie outside of their models and are left out")]
     VoxelsOutside(usize),
+    #[error("{0} blocks lie outside of the size and are left out")]
+    BlocksOutside(usize),
+    #[error("{0} blocks stand where the file has put another before: the last one counts")]
+    BlocksReplaced(usize),
+    #[error("{0} jigsaw blocks are read as the blocks that they leave behind")]
+    Jigsaws(usize),
 }

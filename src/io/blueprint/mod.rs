@@ -54,7 +54,7 @@ fn blocks(root: &Fields, size: Cell, limits: &Limits) -> Result<(Vec<u16>, Palet
     let pairs = root.get::<&[i32]>("blocks")?;
     let volume = volume::cells(size, root.path("blocks"), pairs.len().saturating_mul(2), limits)?;
     let mut palette = Palette::default();
-    let entries = states::read_palette(root, "palette")?;
+    let entries = states::read_palette(&root.path("palette"), root.get("palette")?)?;
     let ids = entries.into_iter().map(|state| palette.intern(&placeholder::understood(state)));
     let ids = ids.collect::<Result<Vec<u16>, _>>().map_err(volume::full("palette"))?;
     let indices = pairs.iter().flat_map(|pair| halves(*pair)).take(volume);

@@ -34,7 +34,7 @@ fn read_block_entities(part: &Part, grid: &mut Grid) -> Result<usize, ReadError>
             outside += 1;
         } else if part.state(place) == Some(grid.get(low + place)) {
             let mut data = fields.tags.clone();
-            XYZ.iter().for_each(|&axis| drop(data.remove(axis)));
+            data.retain(|name, _| !XYZ.contains(&name.as_str()));
             grid.block_entities.insert((low + place).to_array(), data);
         }
     }

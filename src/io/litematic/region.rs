@@ -27,13 +27,7 @@ impl<'a> Part<'a> {
     pub fn read(name: &'a str, fields: Fields<'a>) -> Result<Part<'a>, ReadError> {
         let position = xyz(&fields, "Position")?;
         let bounds = bounds(&fields, position, xyz(&fields, "Size")?)?;
-        let palette = states::read_palette(&fields, "BlockStatePalette")?;
-        if palette.len() > bits::ENTRIES {
-            return Err(ReadError::PaletteFull {
-                path: fields.path("BlockStatePalette"),
-                problem: PaletteFull,
-            });
-        }
+        let palette = palette(&fields)?;
         let words = fields.get::<&[i64]>("BlockStates")?;
         let part = Part { name, fields, position, bounds, palette, words };
         match part.size().cells() {
@@ -97,6 +91,17 @@ impl<'a> Part<'a> {
             });
         }
         Ok(indices)
+    }
+}
+
+/// A palette whose indices are not too large for a grid.
+fn palette(fields: &Fields) -> Result<Vec<BlockState>, ReadError> {
+    let path = fields.path("BlockStatePalette");
+    match states::read_palette(&path, fields.get("BlockStatePalette")?)? {
+        palette if palette.len() > bits::ENTRIES => {
+            Err(ReadError::PaletteFull { path, problem: PaletteFull })
+        }
+        palette => Ok(palette),
     }
 }
 

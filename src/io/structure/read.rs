@@ -1,0 +1,168 @@
+use super::{ROOT_TAGS, entities, jigsaw};
+use crate::block::BlockState;
+use crate::grid::{Dialect, Grid, Metadata, Own};
+use crate::io::error::Size;
+use crate::io::fields::{self, Fields};
+use crate::io::{Jigsaws, Limits, ReadError, Warning, states};
+use crate::nbt::{Compound, Tag};
+use crate::space::{Bounds, Cell};
+
+/// The grid of a structure, with one of its palettes; the others make its variants.
+pub fn decode(root: &Compound, limits: &Limits, jigsaws: Jigsaws) -> Result<(Grid, Vec<Warning>), ReadError> {
+    let root = Fields::new("", root);
+    let size = size(&root)?;
+    let palettes = palettes(&root)?;
+    check_cells(size, palettes.len(), limits)?;
+    let (blocks, outside) = blocks(&root, size)?;
+    let looks = palettes.iter().map(|states| look(size, &blocks, states, jigsaws));
+    let mut looks = looks.collect::<Result<Vec<Look>, ReadError>>()?.into_iter();
+    let Look { mut grid, replaced, jigsaws } = looks.next().expect("there is a palette");
+    grid.variants = looks.map(|look| look.grid).collect();
+    grid.metadata = metadata(&root)?;
+    let (entities, unnamed) = entities::read(&root)?;
+    grid.metadata.entities = entities;
+
+    let counted = [
+        (outside, Warning::BlocksOutside as fn(usize) -> Warning),
+        (replaced, Warning::BlocksReplaced),
+        (jigsaws, Warning::Jigsaws),
+        (unnamed, Warning::EntitiesUnnamed),
+    ];
+    let warnings = counted.into_iter().filter(|&(count, _)| count > 0).map(|(count, of)| of(count));
+    Ok((grid, warnings.collect()))
+}
+
+fn size(root: &Fields) -> Result<Size, ReadError> {
+    let size = Cell::from_array(root.get("size")?);
+    let expected = "at least one block along each axis";
+    match size.min_element() {
+        1.. => Ok(Size(size)),
+        _ => Err(ReadError::WrongType { path: root.path("size"), expected, found: Size(size).to_string() }),
+    }
+}
+
+/// The bytes of a structure say nothing of its size, so the limit alone bounds it: every variant is a whole grid.
+fn check_cells(size: Size, variants: usize, limits: &Limits) -> Result<(), ReadError> {
+    let cells = size.cells();
+    match cells.saturating_mul(variants as u64) > limits.max_cells {
+        true if variants > 1 => {
+            Err(ReadError::TooManyVariants { size, variants, cells, limit: limits.max_cells })
+        }
+        true => Err(ReadError::TooManyCells { size, cells, limit: limits.max_cells }),
+        false => Ok(()),
+    }
+}
+
+/// A palette, and its path.
+struct States {
+    path: String,
+    states: Vec<BlockState>,
+}
+
+fn palettes(root: &Fields) -> Result<Vec<States>, ReadError> {
+    let states = |path: String, entries| Ok(States { states: states::read_palette(&path, entries)?, path });
+    match root.find::<&[Tag]>("palettes")?.filter(|lists| !lists.is_empty()) {
+        None => Ok(vec![states(root.path("palette"), root.get("palette")?)?]),
+        Some(lists) => {
+            let path = root.path("palettes");
+            let lists = fields::values(&path, lists);
+            lists.map(|list| list.and_then(|(path, entries)| states(path, entries))).collect()
+        }
+    }
+}
+
+/// A block of the list.
+struct Placed<'a> {
+    fields: Fields<'a>,
+    place: Cell,
+    state: usize,
+    nbt: Option<&'a Compound>,
+}
+
+/// The blocks within `size`, and how many are not.
+fn blocks<'a>(root: &Fields<'a>, size: Size) -> Result<(Vec<Placed<'a>>, usize), ReadError> {
+    root.get::<&[Tag]>("blocks")?;
+    let each = root.list("blocks")?.into_iter().map(|fields| {
+        let place = Cell::from_array(fields.get("pos")?);
+        let (state, nbt) = (index(&fields)?, fields.find("nbt")?);
+        Ok(Placed { fields, place, state, nbt })
+    });
+    let mut blocks = each.collect::<Result<Vec<Placed>, ReadError>>()?;
+    let found = blocks.len();
+    blocks.retain(|block| Bounds::of_size(size.0).contains(block.place));
+    let outside = found - blocks.len();
+    Ok((blocks, outside))
+}
+
+fn index(block: &Fields) -> Result<usize, ReadError> {
+    let state = block.get::<i32>("state")?;
+    usize::try_from(state).map_err(|_| ReadError::WrongType {
+        path: block.path("state"),
+        expected: "an index of the palette",
+        found: state.to_string(),
+    })
+}
+
+/// A structure with one of its palettes.
+struct Look {
+    grid: Grid,
+    /// Blocks that stand where another one stood.
+    replaced: usize,
+    /// Jigsaws that became what they leave behind.
+    jigsaws: usize,
+}
+
+fn look(size: Size, blocks: &[Placed], states: &States, jigsaws: Jigsaws) -> Result<Look, ReadError> {
+    let full = |problem| ReadError::PaletteFull { path: states.path.clone(), problem };
+    let mut grid = Grid::new(size.0);
+    let nobodys = grid.intern(&states::leave_alone()).map_err(full)?;
+    grid.fill(grid.bounds(), nobodys);
+    let ids = states.states.iter().map(|state| grid.intern(state)).collect::<Result<Vec<u16>, _>>();
+    let ids = ids.map_err(full)?;
+    let mut look = Look { grid, replaced: 0, jigsaws: 0 };
+    for block in blocks {
+        let Some(state) = states.states.get(block.state) else { return Err(not_in_palette(block, states)) };
+        look.replaced += usize::from(look.grid.id(block.place) != nobodys);
+        let left_behind = match jigsaws {
+            Jigsaws::Final => jigsaw::final_state(state, block.nbt, || block.fields.path("nbt"))?,
+            Jigsaws::Keep => None,
+        };
+        let id = left_behind.as_ref().map_or(Ok(ids[block.state]), |state| look.grid.intern(state));
+        look.grid.set(block.place, id.map_err(full)?);
+        look.jigsaws += usize::from(left_behind.is_some());
+        set_data(&mut look.grid, block.place, block.nbt.filter(|_| left_behind.is_none()));
+    }
+    Ok(look)
+}
+
+fn not_in_palette(block: &Placed, states: &States) -> ReadError {
+    ReadError::NotInPalette {
+        path: block.fields.path("state"),
+        cell: block.place,
+        index: block.state as u32,
+        entries: states.states.len(),
+    }
+}
+
+/// The block entity at `place` is that of the last block there.
+fn set_data(grid: &mut Grid, place: Cell, nbt: Option<&Compound>) {
+    grid.block_entities.remove(&place.to_array());
+    if let Some(nbt) = nbt {
+        let mut data = nbt.clone();
+        data.retain(|name, _| !["x", "y", "z"].contains(&name.as_str()));
+        grid.block_entities.insert(place.to_array(), data);
+    }
+}
+
+fn metadata(root: &Fields) -> Result<Metadata, ReadError> {
+    let author = root.find::<&str>("author")?.filter(|author| !author.is_empty());
+    let author = author.map(|author| ("Author".to_owned(), Tag::String(author.to_owned())));
+    let own = root.tags.iter().filter(|(name, _)| !ROOT_TAGS.contains(&name.as_str()));
+    let own: Compound = own.map(|(name, tag)| (name.clone(), tag.clone())).collect();
+    Ok(Metadata {
+        data_version: root.find("DataVersion")?,
+        tags: author.into_iter().collect(),
+        own: (!own.is_empty()).then_some(Own { dialect: Dialect::Structure, tags: own }),
+        ..Metadata::default()
+    })
+}

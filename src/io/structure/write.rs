@@ -1,0 +1,106 @@
+use super::entities;
+use super::joint::Joint;
+use crate::grid::{Dialect, Grid};
+use crate::io::error::Size;
+use crate::io::{DEFAULT_DATA_VERSION, Encoded, Lost, WriteError, gzip, states};
+use crate::nbt::{self, Compound, Tag};
+
+/// The file of `grid` as a structure of the game, with a palette for each variant. The same grid always gives the
+/// same bytes.
+///
+/// Structure blocks load at most 48 blocks along each axis; commands, jigsaws and mods take any size.
+pub fn encode_structure(grid: &Grid) -> Result<Encoded, WriteError> {
+    if grid.bounds().is_empty() {
+        return Err(WriteError::Empty(Size(grid.size())));
+    }
+    let looks: Vec<&Grid> = std::iter::once(grid).chain(same_size(grid)).collect();
+    let joint = Joint::of(&looks);
+    let (blocks, used) = blocks(grid, &joint);
+    let palettes = (0..looks.len())
+        .map(|look| Tag::List(used.iter().map(|&number| states::write(joint.state(number, look))).collect()));
+    let mut root = root(grid);
+    root.insert("blocks".to_owned(), Tag::List(blocks));
+    root.extend(palette_tag(palettes.collect()));
+    Ok(Encoded { bytes: gzip::pack(&nbt::write("", &root)?)?, lost: lost(grid) })
+}
+
+/// The variants that can stand in the place of `grid`.
+fn same_size(grid: &Grid) -> impl Iterator<Item = &Grid> {
+    grid.variants.iter().filter(|variant| variant.size() == grid.size())
+}
+
+fn lost(grid: &Grid) -> Vec<Lost> {
+    let other_size = grid.variants.len() - same_size(grid).count();
+    // A file has data once for all looks.
+    let own_data = |variant: &Grid| {
+        let data = variant.block_entities.iter();
+        data.filter(|&(place, data)| grid.block_entities.get(place) != Some(data)).count()
+    };
+    let own_data: usize = same_size(grid).map(own_data).sum();
+    let lost = [
+        (own_data > 0).then_some(Lost::BlockEntities(own_data)),
+        Lost::biomes(grid),
+        Lost::offset(grid),
+        Lost::metadata_but(grid, author(grid).map_or(&[], |_| &["Author"])),
+        Lost::own(grid, Some(Dialect::Structure)),
+        Lost::regions(grid),
+        (other_size > 0).then_some(Lost::Variants(other_size)),
+    ];
+    lost.into_iter().flatten().collect()
+}
+
+fn author(grid: &Grid) -> Option<&String> {
+    match grid.metadata.tags.get("Author") {
+        Some(Tag::String(author)) => Some(author),
+        _ => None,
+    }
+}
+
+/// The blocks of the file, and the numbers of the combinations that they use, in order of first use.
+fn blocks(grid: &Grid, joint: &Joint) -> (Vec<Tag>, Vec<u32>) {
+    let left_alone = joint.left_alone();
+    let mut indices = vec![None; left_alone.len()];
+    let (mut blocks, mut used) = (Vec::new(), Vec::new());
+    for (at, &number) in joint.cells.iter().enumerate() {
+        let place = Size(grid.size()).cell(at).to_array();
+        let nbt = grid.block_entities.get(&place);
+        if left_alone[number as usize] && nbt.is_none() {
+            continue;
+        }
+        let index = *indices[number as usize].get_or_insert_with(|| {
+            used.push(number);
+            used.len() as i32 - 1
+        });
+        blocks.push(block(place, index, nbt));
+    }
+    (blocks, used)
+}
+
+fn block(place: [i32; 3], index: i32, nbt: Option<&Compound>) -> Tag {
+    let mut block = Compound::from([("pos".to_owned(), ints(place)), ("state".to_owned(), Tag::Int(index))]);
+    block.extend(nbt.map(|nbt| ("nbt".to_owned(), Tag::Compound(nbt.clone()))));
+    Tag::Compound(block)
+}
+
+fn palette_tag(mut palettes: Vec<Tag>) -> Option<(String, Tag)> {
+    match palettes.len() {
+        0 | 1 => palettes.pop().map(|palette| ("palette".to_owned(), palette)),
+        _ => Some(("palettes".to_owned(), Tag::List(palettes))),
+    }
+}
+
+/// Everything but the blocks.
+fn root(grid: &Grid) -> Compound {
+    let own = grid.metadata.own.as_ref().filter(|own| own.dialect == Dialect::Structure);
+    let mut root = own.map(|own| own.tags.clone()).unwrap_or_default();
+    let data_version = grid.metadata.data_version.unwrap_or(DEFAULT_DATA_VERSION);
+    root.insert("DataVersion".to_owned(), Tag::Int(data_version));
+    root.insert("size".to_owned(), ints(grid.size().to_array()));
+    root.insert("entities".to_owned(), entities::write(grid));
+    root.extend(author(grid).map(|author| ("author".to_owned(), Tag::String(author.clone()))));
+    root
+}
+
+fn ints(numbers: [i32; 3]) -> Tag {
+    Tag::List(numbers.map(Tag::Int).to_vec())
+}
