@@ -539,3 +539,22 @@ fn a_folder_without_regions_and_a_box_without_cells_are_refused() {
         assert!(error.starts_with("no part of a world reaches from ("), "{error}");
     }
 }
+
+#[test]
+fn real_builds_pass_through_a_world() {
+    let Some(folder) = super::real::folder() else { return };
+    let pattern = folder.join("houses/*/*.schem");
+    let mut count = 0;
+    for path in glob::glob(&pattern.to_string_lossy()).unwrap().map(Result::unwrap) {
+        let mut grid = read_grid(&std::fs::read(&path).unwrap());
+        grid.map_states(complete).unwrap();
+        grid.metadata.data_version = Some(3465);
+        let at = Cell::new(-9, -70, 1000);
+        let folder = world(&encode_regions(&grid, at).unwrap());
+        let back = grid_of(read_part(folder.path(), at, grid.size()).unwrap());
+        assert!(back.same_blocks(&grid), "{}", path.display());
+        assert_eq!(back.block_entities, grid.block_entities, "{}", path.display());
+        count += 1;
+    }
+    assert!(count > 0, "no schematics in {}", folder.display());
+}

@@ -5,6 +5,7 @@ use crate::block::{BlockState, Facing, Rgba};
 use crate::grid::Grid;
 use crate::space::Cell;
 use rustc_hash::FxHashMap;
+use std::fmt::Write;
 
 /// A mesh and the materials that it names.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -87,7 +88,8 @@ impl Mesh<'_> {
 
     fn add(&mut self, material: usize, corners: [Cell; 4]) {
         let [a, b, c, d] = corners.map(|corner| self.number(corner));
-        self.faces[material] += &format!("f {a} {b} {c} {d}\n");
+        // Writing into a text cannot fail.
+        let _ = writeln!(self.faces[material], "f {a} {b} {c} {d}");
     }
 
     /// The number of `point`, from 1.
@@ -102,7 +104,7 @@ impl Mesh<'_> {
         let mut text = format!("mtllib {mtl_name}\n");
         for point in &self.points {
             let [x, y, z] = point.to_array().map(|n| f64::from(n) / f64::from(STEPS));
-            text += &format!("v {x} {y} {z}\n");
+            let _ = writeln!(text, "v {x} {y} {z}");
         }
         for (material, faces) in self.faces.iter().enumerate().filter(|(_, faces)| !faces.is_empty()) {
             text += &format!("usemtl {}\n{faces}", self.materials.name(material));
