@@ -11,10 +11,8 @@ pub enum Warning {
     UnknownData { blocks: usize, ids: String },
     #[error("the file does not say what {blocks} blocks are ({ids}): they are called `legacy:` and their id")]
     UnknownIds { blocks: usize, ids: String },
-    #[error(
-        "{0} blocks stand for what only a world can tell, as the ground below: they are kept as they are"
-    )]
-    Placeholders(usize),
+    #[error("{0} blocks ask for the ground or the water of a world: they say to leave it alone here")]
+    Ground(usize),
     #[error("ids above 255 are read in WorldEdit's order of `AddBlocks`; other programs have another")]
     HalvesOfIds,
     #[error(

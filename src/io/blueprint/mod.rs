@@ -34,12 +34,12 @@ pub(super) fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warn
     let root = Fields::new("", root);
     check_version(&root)?;
     let size = volume::size(&root, ["size_x", "size_y", "size_z"])?;
-    let (cells, palette) = blocks(&root, size, limits)?;
+    let Blocks { cells, palette, ground } = Blocks::read(&root, size, limits)?;
     let mut grid = volume::grid(size, cells, palette);
     let outside = block_entities(&root, &mut grid)?;
     grid.metadata = metadata(&root)?;
-    let warnings = [outside, placeholder::warning(&grid)];
-    Ok((grid, warnings.into_iter().flatten().collect()))
+    let ground = (ground > 0).then_some(Warning::Ground(ground));
+    Ok((grid, outside.into_iter().chain(ground).collect()))
 }
 
 fn check_version(root: &Fields) -> Result<(), ReadError> {
@@ -49,24 +49,35 @@ fn check_version(root: &Fields) -> Result<(), ReadError> {
     }
 }
 
-/// The palette numbers of the cells, in the order y, z, x.
-fn blocks(root: &Fields, size: Cell, limits: &Limits) -> Result<(Vec<u16>, Palette), ReadError> {
-    let pairs = root.get::<&[i32]>("blocks")?;
-    let volume = volume::cells(size, root.path("blocks"), pairs.len().saturating_mul(2), limits)?;
-    let mut palette = Palette::default();
-    let entries = states::read_palette(&root.path("palette"), root.get("palette")?)?;
-    let ids = entries.into_iter().map(|state| palette.intern(&placeholder::understood(state)));
-    let ids = ids.collect::<Result<Vec<u16>, _>>().map_err(volume::full("palette"))?;
-    let indices = pairs.iter().flat_map(|pair| halves(*pair)).take(volume);
-    let cells = indices.enumerate().map(|(at, index)| {
-        ids.get(usize::from(index)).copied().ok_or_else(|| ReadError::NotInPalette {
-            path: root.path("blocks"),
-            cell: volume::cell_at(at, size),
-            index: index.into(),
-            entries: ids.len(),
-        })
-    });
-    Ok((cells.collect::<Result<_, _>>()?, palette))
+struct Blocks {
+    /// In the order y, z, x.
+    cells: Vec<u16>,
+    palette: Palette,
+    /// How many cells ask for ground or a liquid.
+    ground: usize,
+}
+
+impl Blocks {
+    fn read(root: &Fields, size: Cell, limits: &Limits) -> Result<Blocks, ReadError> {
+        let pairs = root.get::<&[i32]>("blocks")?;
+        let volume = volume::cells(size, root.path("blocks"), pairs.len().saturating_mul(2), limits)?;
+        let entries = states::read_palette(&root.path("palette"), root.get("palette")?)?;
+        let is_ground: Vec<bool> = entries.iter().map(placeholder::is_ground).collect();
+        let mut palette = Palette::default();
+        let ids = entries.into_iter().map(|state| palette.intern(&placeholder::understood(state)));
+        let ids = ids.collect::<Result<Vec<u16>, _>>().map_err(volume::full("palette"))?;
+
+        let (mut cells, mut ground) = (Vec::with_capacity(volume), 0);
+        for index in pairs.iter().flat_map(|pair| halves(*pair)).take(volume) {
+            let Some(&id) = ids.get(usize::from(index)) else {
+                let (path, cell) = (root.path("blocks"), volume::cell_at(cells.len(), size));
+                return Err(ReadError::NotInPalette { path, cell, index: index.into(), entries: ids.len() });
+            };
+            cells.push(id);
+            ground += usize::from(is_ground[usize::from(index)]);
+        }
+        Ok(Blocks { cells, palette, ground })
+    }
 }
 
 /// The high half comes first.
