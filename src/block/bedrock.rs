@@ -165,6 +165,17 @@ mod tests {
     }
 
     #[test]
+    fn halves_of_doors_say_what_counts_in_them() {
+        let door = |upper| {
+            let states =
+                [("direction", "1"), ("door_hinge_bit", "1"), ("open_bit", "1"), ("upper_block_bit", upper)];
+            java("wooden_door", &states).unwrap()
+        };
+        assert_eq!(door("0"), "oak_door[facing=south,half=lower,open=true]");
+        assert_eq!(door("1"), "oak_door[half=upper,hinge=right]");
+    }
+
+    #[test]
     fn what_is_not_in_the_table_has_no_state() {
         assert_eq!(java("mod:thing", &[]), None);
         assert_eq!(java("fence", &[]), None, "a state is missing");
