@@ -36,16 +36,18 @@ enum Values {
 const NAME: &str = "name";
 const NONE: &str = "-";
 
+/// Rules and the blocks that they are of.
+type Group = (Vec<Rule>, Vec<&'static str>);
+
 type Table = BTreeMap<&'static str, Vec<Form>>;
 
 fn table() -> &'static Table {
-    static RULES: OnceLock<Vec<(Vec<Rule>, Vec<&str>)>> = OnceLock::new();
+    static RULES: OnceLock<Vec<Group>> = OnceLock::new();
     static TABLE: OnceLock<Table> = OnceLock::new();
     TABLE.get_or_init(|| collect(RULES.get_or_init(|| parse(include_str!("bedrock.txt")))))
 }
 
-/// The rules of the text with the blocks that they are of.
-fn parse(text: &'static str) -> Vec<(Vec<Rule>, Vec<&'static str>)> {
+fn parse(text: &'static str) -> Vec<Group> {
     let mut groups = Vec::new();
     for line in text.lines().filter(|line| !line.is_empty() && !line.starts_with('#')) {
         match (line.strip_prefix("  "), groups.last_mut()) {
@@ -71,7 +73,7 @@ fn rule(word: &'static str) -> Option<Rule> {
 }
 
 /// The forms by the name of the block, those that need most states first.
-fn collect(groups: &'static [(Vec<Rule>, Vec<&'static str>)]) -> Table {
+fn collect(groups: &'static [Group]) -> Table {
     let mut table = Table::new();
     for (rules, blocks) in groups {
         for block in blocks {
@@ -132,14 +134,16 @@ mod tests {
     use super::*;
     use crate::block::check;
 
-    fn java(name: &str, states: &[(&str, &str)]) -> Option<String> {
+    type States<'a> = &'a [(&'a str, &'a str)];
+
+    fn java(name: &str, states: States) -> Option<String> {
         let states = states.iter().map(|&(key, value)| (key.to_owned(), value.to_owned())).collect();
         bedrock_state(name, &states).map(|state| state.short())
     }
 
     #[test]
     fn names_and_states_of_all_times() {
-        let cases: [(&str, &[(&str, &str)], &str); 10] = [
+        let cases: [(&str, States, &str); 10] = [
             ("minecraft:stone", &[], "stone"),
             ("minecraft:stone", &[("stone_type", "andesite")], "andesite"),
             (

@@ -35,10 +35,10 @@ enum High<'a> {
     None,
     /// A byte for each block.
     Bytes(&'a [i8]),
-    /// Half a byte for each block, the low half first: WorldEdit's order.
-    LowFirst(&'a [i8]),
-    /// Schematica's order.
-    HighFirst(&'a [i8]),
+    /// Half a byte for each block, the low half first.
+    WorldEdit(&'a [i8]),
+    /// The high half first.
+    Schematica(&'a [i8]),
 }
 
 impl High<'_> {
@@ -46,7 +46,7 @@ impl High<'_> {
     fn read<'a>(root: &Fields<'a>, volume: usize, ids: &Ids) -> Result<High<'a>, ReadError> {
         if let Some(halves) = root.find::<&[i8]>("AddBlocks")? {
             let enough = halves.get(..volume.div_ceil(2)).ok_or_else(|| short(root, "AddBlocks", halves))?;
-            return Ok(if ids.named() { High::HighFirst(enough) } else { High::LowFirst(enough) });
+            return Ok(if ids.named() { High::Schematica(enough) } else { High::WorldEdit(enough) });
         }
         match root.find::<&[i8]>("Add")? {
             None => Ok(High::None),
@@ -62,14 +62,14 @@ impl High<'_> {
         match self {
             High::None => 0,
             High::Bytes(bytes) => u16::from(bytes[at].cast_unsigned()) & 15,
-            High::LowFirst(bytes) => half(bytes, at % 2 == 0),
-            High::HighFirst(bytes) => half(bytes, at % 2 == 1),
+            High::WorldEdit(bytes) => half(bytes, at.is_multiple_of(2)),
+            High::Schematica(bytes) => half(bytes, !at.is_multiple_of(2)),
         }
     }
 
     fn warning(&self) -> Option<Warning> {
         match self {
-            High::LowFirst(bytes) => bytes.iter().any(|&byte| byte != 0).then_some(Warning::HalvesOfIds),
+            High::WorldEdit(bytes) => bytes.iter().any(|&byte| byte != 0).then_some(Warning::HalvesOfIds),
             _ => None,
         }
     }
