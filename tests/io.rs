@@ -4,6 +4,8 @@
 mod axiom;
 #[path = "io/blueprint.rs"]
 mod blueprint;
+#[path = "io/damaged.rs"]
+mod damaged;
 #[path = "io/data.rs"]
 mod data;
 #[path = "io/hostile.rs"]

@@ -52,6 +52,11 @@ fn blocks(sections: Vec<Tag>) -> Compound {
     ])
 }
 
+pub fn example() -> Vec<u8> {
+    let sections = vec![section([0; 3], &["minecraft:void_air", "minecraft:stone"], &[(7, 1)])];
+    file(&header(), b"png", &blocks(sections))
+}
+
 fn states(grid: &Grid) -> Vec<String> {
     grid.bounds().cells().map(|cell| grid.get(cell).short()).collect()
 }

@@ -52,6 +52,10 @@ fn file(root: &Compound) -> Vec<u8> {
     nbt::write("", root).unwrap()
 }
 
+pub fn example() -> Vec<u8> {
+    file(&small())
+}
+
 fn states(grid: &Grid) -> Vec<String> {
     grid.bounds().cells().map(|cell| grid.get(cell).short()).collect()
 }

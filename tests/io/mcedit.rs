@@ -40,6 +40,20 @@ fn file(root: &Compound) -> Vec<u8> {
     nbt::write("Schematic", root).unwrap()
 }
 
+/// A file with something of everything.
+pub fn example() -> Vec<u8> {
+    let chest = tags([("x", Tag::Int(0)), ("y", Tag::Int(0)), ("z", Tag::Int(0)), ("id", text("Chest"))]);
+    file(&with(
+        row(&[(54, 2), (53, 4), (175, 8)]),
+        [
+            ("AddBlocks", bytes(&[0, 0])),
+            ("SchematicaMapping", Tag::Compound(tags([("mod:thing", Tag::Short(1))]))),
+            ("TileEntities", Tag::List(vec![Tag::Compound(chest)])),
+            ("WEOffsetX", Tag::Int(3)),
+        ],
+    ))
+}
+
 /// What stands in the first cell.
 fn first(grid: &Grid) -> String {
     grid.get(Cell::ZERO).short()

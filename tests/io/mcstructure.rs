@@ -114,6 +114,17 @@ impl Structure {
     }
 }
 
+/// A file with something of everything.
+pub fn example() -> Vec<u8> {
+    let stairs =
+        block("minecraft:oak_stairs", [("weirdo_direction", Tag::Int(1)), ("upside_down_bit", Tag::Byte(1))]);
+    let water = block("minecraft:water", [("liquid_depth", Tag::Int(0))]);
+    let mut structure = Structure::of([2, 1, 2], [&[0, 0, 0, -1], &[1, -1, -1, -1]], vec![stairs, water]);
+    let sign = compound([("id", text("Sign")), ("Text", text("Inn"))]);
+    structure.data = tags([("2", compound([("block_entity_data", sign)]))]);
+    structure.file()
+}
+
 fn states(bytes: &[u8]) -> Vec<String> {
     let grid = read_grid(bytes);
     grid.bounds().cells().map(|cell| grid.get(cell).short()).collect()
