@@ -64,7 +64,7 @@ fn tell(name: &str, before: &[BlockState], replacements: &[Replacement], replace
     }
     if !replaced.left.is_empty() {
         let left: Vec<&str> = replaced.left.iter().map(String::as_str).collect();
-        report::warning(&format!("{name}: there is no counterpart of {}, which stay", left.join(", ")));
+        report::warning(&format!("{name}: left as they are, for want of a counterpart: {}", left.join(", ")));
     }
     if replaced.block_entities > 0 {
         let count = counted(replaced.block_entities as u64, "block", "blocks");

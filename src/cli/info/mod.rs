@@ -13,7 +13,7 @@ use crate::nbt::{Compound, Tag};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Tell what is in a file: its format, its size, its blocks, what it says of itself, what is odd about it
+/// Tell what is in a file, what it says of itself, and what is odd about it
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
