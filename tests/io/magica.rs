@@ -127,7 +127,7 @@ fn what_has_no_colour_is_told_of() {
     grid.metadata.offset = Cell::X;
     assert_eq!(encode(&grid).lost, [Lost::Offset(Cell::X)]);
     let error = encode_vox(&Grid::new(Cell::X), color).unwrap_err().to_string();
-    assert_eq!(error, "the build is not a block long, wide or high");
+    assert_eq!(error, "the size 1 x 0 x 0 cannot be written: there is no block in it");
 }
 
 fn chunk(name: &str, content: &[u8]) -> Vec<u8> {

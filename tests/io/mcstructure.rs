@@ -155,7 +155,12 @@ fn names_and_states_become_those_of_java() {
     let bytes = Structure::of([4, 1, 1], [&[0, 1, 2, 3], &[-1; 4]], vec![stairs, old, java, stranger]).file();
     assert_eq!(
         states(&bytes),
-        ["oak_stairs[facing=west,half=top]", "diorite", "dirt_path", "mod:lamp[lit=1]"]
+        [
+            "oak_stairs[facing=west,half=top,shape=straight,waterlogged=false]",
+            "diorite",
+            "dirt_path",
+            "mod:lamp[lit=1]"
+        ]
     );
     let unknown = Warning::UnknownBedrock { blocks: 1, names: "mod:lamp".into() };
     assert_eq!(read(&bytes).unwrap().warnings, [unknown]);
@@ -170,7 +175,8 @@ fn water_of_the_second_layer() {
         block("minecraft:dirt", []),
     ];
     let bytes = Structure::of([5, 1, 1], [&[1, 2, 3, -1, 1], &[0, 0, 0, 0, -1]], palette).file();
-    let expected = ["oak_fence[waterlogged=true]", "water[level=0]", "dirt", "structure_void", "oak_fence"];
+    let fence = |wet| format!("oak_fence[east=false,north=false,south=false,waterlogged={wet},west=false]");
+    let expected = [&fence(true), "water[level=0]", "dirt", "structure_void", &fence(false)];
     assert_eq!(states(&bytes), expected);
     assert_eq!(read(&bytes).unwrap().warnings, [Warning::WaterDropped(1)]);
 }
@@ -200,14 +206,18 @@ fn block_entities_decide_states() {
         (
             block("minecraft:skull", [("facing_direction", Tag::Int(1))]),
             tags([id("Skull"), ("SkullType", Tag::Byte(2)), ("Rotation", Tag::Float(-90.0))]),
-            "zombie_head[rotation=12]",
+            "zombie_head[powered=false,rotation=12]",
         ),
         (
             block("minecraft:flower_pot", [("update_bit", Tag::Byte(0))]),
             tags([id("FlowerPot"), ("PlantBlock", plant)]),
             "potted_poppy",
         ),
-        (block("minecraft:noteblock", []), tags([id("Music"), ("note", Tag::Byte(5))]), "note_block[note=5]"),
+        (
+            block("minecraft:noteblock", []),
+            tags([id("Music"), ("note", Tag::Byte(5))]),
+            "note_block[instrument=harp,note=5,powered=false]",
+        ),
         (
             block("minecraft:red_shulker_box", []),
             tags([id("ShulkerBox"), ("facing", Tag::Byte(4))]),

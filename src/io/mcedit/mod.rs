@@ -19,6 +19,7 @@ use super::{Limits, ReadError, Warning, volume};
 use crate::block::LEGACY_DATA_VERSION;
 use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
 use crate::nbt::Compound;
+use crate::neighbours;
 use crate::space::Cell;
 
 /// The root tags that the grid holds in its own way.
@@ -47,6 +48,7 @@ pub(super) fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warn
     let mut grid = volume::grid(size, cells, palette);
     warnings.extend(block_entities::read(&root, &mut grid)?);
     blocks::name_upper_halves(&mut grid).map_err(volume::full("Blocks"))?;
+    neighbours::settle(&mut grid).map_err(volume::full("Blocks"))?;
     grid.metadata = metadata(&root)?;
     let entities = grid.metadata.entities.len();
     warnings.extend((entities > 0).then_some(Warning::OldEntities(entities)));

@@ -18,6 +18,7 @@ use super::fields::Fields;
 use super::{Limits, ReadError, Warning, volume};
 use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
 use crate::nbt::{self, Compound, Endian, Tag};
+use crate::neighbours;
 use crate::space::Cell;
 
 /// The root tags that the grid holds in its own way.
@@ -35,6 +36,7 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     let (cells, mut warnings) = blocks::read(&structure, size, &palette, limits)?;
     let mut grid = volume::grid(size, cells.numbers, cells.palette);
     let (outside, mut foreign) = block_entities::read(&default, &mut grid)?;
+    neighbours::settle(&mut grid).map_err(volume::full(default.path("block_palette")))?;
     grid.metadata = metadata(&root, &structure)?;
     foreign += grid.metadata.entities.len();
     warnings.extend((outside > 0).then_some(Warning::BlockEntitiesOutside(outside)));
