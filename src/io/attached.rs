@@ -11,8 +11,8 @@ const BLOCK_POS: &str = "block_pos";
 /// The game takes no block for its own that lies farther away.
 const REACH: f64 = 16.0;
 
-/// The block that the data of an entity name, moved by `by`. The entity is then at `place`, and where its data name
-/// no block, or one far away as it stood in some world, it is the block of that.
+/// The block that the data of an entity name, moved by `by`. The entity is then at `place`, and where its
+/// data name no block, or one far away as it stood in some world, it is the block of that.
 pub(super) fn block(data: &Compound, by: Cell, place: [f64; 3]) -> Cell {
     let place = glam::DVec3::from_array(place);
     let near = |cell: &Cell| (cell.as_dvec3() - place).abs().max_element() <= REACH;

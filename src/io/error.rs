@@ -45,8 +45,8 @@ pub enum ReadError {
     #[error("the file has no region `{name}`: {}", having(names))]
     NoRegion { name: String, names: Vec<String> },
     #[error(
-        "the regions `{first}` and `{last}` lie {apart} blocks apart along {axis}: the box around all regions, {size}, \
-         makes {cells} blocks, more than {limit}, the limit; read the regions one by one"
+        "the regions `{first}` and `{last}` lie {apart} blocks apart along {axis}: the box around all \
+         regions, {size}, makes {cells} blocks, more than {limit}, the limit; read the regions one by one"
     )]
     FarApart {
         first: String,
@@ -62,7 +62,8 @@ pub enum ReadError {
     #[error("`{path}` holds {found} words: expected {expected} for the size {size} and {bits} bits a block")]
     WordCount { path: String, found: usize, expected: u64, size: Size, bits: u32 },
     #[error(
-        "the size {size} makes {cells} blocks in each of {variants} palettes, more than {limit} in all, the limit"
+        "the size {size} makes {cells} blocks in each of {variants} palettes, more than {limit} in all, \
+         the limit"
     )]
     TooManyVariants { size: Size, cells: u64, variants: usize, limit: u64 },
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]

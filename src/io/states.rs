@@ -1,4 +1,4 @@
-//! Block states as the game's own files hold them: `{ Name: "minecraft:oak_log", Properties: { axis: "y" } }`.
+//! Block states as the game's own files hold them: `{ Name: "oak_log", Properties: { axis: "y" } }`.
 
 use super::ReadError;
 use super::fields::{self, Fields};

@@ -1,7 +1,7 @@
 //! Numbers of a fixed width in bits, packed without gaps into words of 64, low bits first.
 //!
-//! 64 numbers fill as many words as they are wide. With the width known when this is compiled, every place within
-//! such a run is, too.
+//! 64 numbers fill as many words as they are wide. With the width known when this is compiled, every place
+//! within such a run is, too.
 
 const RUN: usize = 64;
 

@@ -12,8 +12,8 @@ pub(super) struct Blocks {
     pub count: usize,
 }
 
-/// `cells` as numbers of states, which `complete` completes. Indices count from air on, which readers take for
-/// granted, then in order of first use.
+/// `cells` as numbers of states, which `complete` completes. Indices count from air on, which readers take
+/// for granted, then in order of first use.
 pub(super) fn encode(cells: &ArrayView3<u16>, complete: &Complete) -> Blocks {
     let cells = cells.as_standard_layout();
     let cells = cells.as_slice().expect("the standard layout is contiguous");

@@ -1,4 +1,4 @@
-//! Block entities, which count from the low corner of their region, and entities, which count from its `Position`.
+//! Block entities count from the low corner of their region, entities from its `Position`.
 
 use super::XYZ;
 use super::region::Part;

@@ -1,6 +1,6 @@
 //! Several regions as one grid.
 //!
-//! Where regions overlap, the last block counts in the order of their names; air is no block, so it takes none away.
+//! Where they overlap, the last block counts in the order of their names. Air is none and takes none away.
 
 use super::region::Part;
 use crate::block::Palette;

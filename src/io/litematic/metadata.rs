@@ -1,4 +1,4 @@
-//! What a file says of itself. Times are carried, never taken from a clock: the same grid gives the same file.
+//! What a file says of itself. Times are carried, never taken from a clock.
 
 use super::{LitematicVersion, XYZ};
 use crate::grid::{Dialect, Grid, Metadata, Own};

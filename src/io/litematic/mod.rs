@@ -5,8 +5,8 @@
 //!   Regions: { name: { Position, Size, BlockStatePalette, BlockStates, TileEntities, Entities, .. } } }
 //! ```
 //!
-//! A region reaches from `Position` as far as `Size` says, which may be negative. Blocks and block entities count
-//! from its low corner wherever `Position` is, entities from `Position`.
+//! A region reaches from `Position` as far as `Size` says, which may be negative. Blocks and block entities
+//! count from its low corner wherever `Position` is, entities from `Position`.
 
 mod bits;
 mod blocks;
@@ -25,7 +25,7 @@ pub use write::{LitematicVersion, encode_litematic};
 const REGION_TAGS: [&str; 6] =
     ["Position", "Size", "BlockStatePalette", "BlockStates", "TileEntities", "Entities"];
 
-/// Lists that every region has, and that say nothing where they are empty. Their places count from its low corner.
+/// Lists that every region has. Their places count from its low corner, and empty ones say nothing.
 const PENDING: [&str; 2] = ["PendingBlockTicks", "PendingFluidTicks"];
 
 /// Where the numbers of a place stand.

@@ -7,7 +7,7 @@ use crate::io::{Limits, ReadError, Warning};
 use crate::nbt::Compound;
 use crate::space::{Bounds, Cell};
 
-/// The first version of today's layout, the first with the block states of Minecraft 1.13, and the last known.
+/// The first version of today's layout, the first with states of Minecraft 1.13, and the last one known.
 const OLDEST: i32 = 2;
 const FLATTENED: i32 = 5;
 const NEWEST: i32 = 7;

@@ -126,7 +126,7 @@ fn bounds(fields: &Fields, position: Cell, size: Cell) -> Result<Bounds, ReadErr
     Ok(Bounds::new(Cell::new(x.start, y.start, z.start), Cell::new(x.end, y.end, z.end)))
 }
 
-/// The blocks from `start` on, to the side that the sign of `len` says; `None` where numbers do not reach so far.
+/// The blocks from `start` on, to the side that the sign of `len` says, as far as numbers reach.
 fn span(start: i32, len: i32) -> Option<Range<i32>> {
     let (start, len) = (i64::from(start), i64::from(len));
     let low = if len < 0 { start + len + 1 } else { start };

@@ -8,7 +8,7 @@ use crate::io::{Encoded, Lost, WriteError, gzip};
 use crate::nbt::{self, Compound, Tag};
 use crate::space::{Bounds, Cell};
 
-/// The versions of the format that are written. They differ in the game's data, which are written as they stand.
+/// The versions of the format that are written. They differ only in the game's data, which are left alone.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum LitematicVersion {
     /// Of Minecraft 1.18 to 1.20.4. Every later Litematica reads it, too.
@@ -18,8 +18,8 @@ pub enum LitematicVersion {
     V7,
 }
 
-/// The file of `grid` as a Litematica schematic with the regions of its metadata, or one around everything where
-/// they leave blocks out. The same grid always gives the same bytes.
+/// The file of `grid` as a Litematica schematic with the regions of its metadata, or one around everything
+/// where they leave blocks out. The same grid always gives the same bytes.
 pub fn encode_litematic(grid: &Grid, version: LitematicVersion) -> Result<Encoded, WriteError> {
     if grid.bounds().is_empty() {
         return Err(WriteError::Empty(Size(grid.size())));

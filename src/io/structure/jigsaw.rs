@@ -4,8 +4,8 @@ use crate::block::BlockState;
 use crate::io::{ReadError, states};
 use crate::nbt::{Compound, Tag};
 
-/// The block that stays of a block `state` with the data `nbt`; `None` where it is no jigsaw, or one without data,
-/// which the game leaves as it is, too.
+/// The block that stays of a block `state` with the data `nbt`; `None` where it is no jigsaw, or one without
+/// data, which the game leaves as it is, too.
 pub(super) fn final_state(
     state: &BlockState,
     nbt: Option<&Compound>,

@@ -5,8 +5,8 @@
 //!   entities: [{ pos, blockPos, nbt }] }
 //! ```
 //!
-//! Where no block is, the world is left alone. Structures with several looks have a list `palettes` instead, of
-//! which the game takes one by chance.
+//! Where no block is, the world is left alone. Structures with several looks have a list `palettes` instead,
+//! of which the game takes one by chance.
 
 mod entities;
 mod jigsaw;

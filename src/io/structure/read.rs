@@ -41,7 +41,7 @@ fn size(root: &Fields) -> Result<Size, ReadError> {
     }
 }
 
-/// The bytes of a structure say nothing of its size, so the limit alone bounds it: every variant is a whole grid.
+/// The bytes of a structure do not bound its size, so the limit does. Every variant is a whole grid.
 fn check_cells(size: Size, variants: usize, limits: &Limits) -> Result<(), ReadError> {
     let cells = size.cells();
     match cells.saturating_mul(variants as u64) > limits.max_cells {

@@ -4,9 +4,11 @@ use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::{DEFAULT_DATA_VERSION, Encoded, Lost, WriteError, gzip, states};
 use crate::nbt::{self, Compound, Tag};
+use crate::space::Cell;
+use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The file of `grid` as a structure of the game, with a palette for each variant. The same grid always gives the
-/// same bytes.
+/// The file of `grid` as a structure of the game, with a palette for each variant. The same grid always gives
+/// the same bytes.
 ///
 /// Structure blocks load at most 48 blocks along each axis; commands, jigsaws and mods take any size.
 pub fn encode_structure(grid: &Grid) -> Result<Encoded, WriteError> {
@@ -15,11 +17,13 @@ pub fn encode_structure(grid: &Grid) -> Result<Encoded, WriteError> {
     }
     let looks: Vec<&Grid> = std::iter::once(grid).chain(same_size(grid)).collect();
     let joint = Joint::of(&looks);
-    let (blocks, used) = blocks(grid, &joint);
+    let used = used(grid, &joint);
+    let indices: FxHashMap<u32, i32> = used.iter().copied().zip(0..).collect();
+    let blocks = written(grid, &joint).map(|(place, number)| block(grid, place, indices[&number]));
     let palettes = (0..looks.len())
         .map(|look| Tag::List(used.iter().map(|&number| states::write(joint.state(number, look))).collect()));
     let mut root = root(grid);
-    root.insert("blocks".to_owned(), Tag::List(blocks));
+    root.insert("blocks".to_owned(), Tag::List(blocks.collect()));
     root.extend(palette_tag(palettes.collect()));
     Ok(Encoded { bytes: gzip::pack(&nbt::write("", &root)?)?, lost: lost(grid) })
 }
@@ -56,28 +60,26 @@ fn author(grid: &Grid) -> Option<&String> {
     }
 }
 
-/// The blocks of the file, and the numbers of the combinations that they use, in order of first use.
-fn blocks(grid: &Grid, joint: &Joint) -> (Vec<Tag>, Vec<u32>) {
+/// The cells that are written, with the combinations that they hold.
+fn written<'a>(grid: &'a Grid, joint: &'a Joint) -> impl Iterator<Item = (Cell, u32)> + 'a {
     let left_alone = joint.left_alone();
-    let mut indices = vec![None; left_alone.len()];
-    let (mut blocks, mut used) = (Vec::new(), Vec::new());
-    for (at, &number) in joint.cells.iter().enumerate() {
-        let place = Size(grid.size()).cell(at).to_array();
-        let nbt = grid.block_entities.get(&place);
-        if left_alone[number as usize] && nbt.is_none() {
-            continue;
-        }
-        let index = *indices[number as usize].get_or_insert_with(|| {
-            used.push(number);
-            used.len() as i32 - 1
-        });
-        blocks.push(block(place, index, nbt));
-    }
-    (blocks, used)
+    let size = Size(grid.size());
+    let cells = joint.cells.iter().enumerate().map(move |(at, &number)| (size.cell(at), number));
+    cells.filter(move |(place, number)| {
+        !left_alone[*number as usize] || grid.block_entities.contains_key(&place.to_array())
+    })
 }
 
-fn block(place: [i32; 3], index: i32, nbt: Option<&Compound>) -> Tag {
+/// The combinations that are written, in order of first use.
+fn used(grid: &Grid, joint: &Joint) -> Vec<u32> {
+    let mut seen = FxHashSet::default();
+    written(grid, joint).map(|(_, number)| number).filter(|&number| seen.insert(number)).collect()
+}
+
+fn block(grid: &Grid, place: Cell, index: i32) -> Tag {
+    let place = place.to_array();
     let mut block = Compound::from([("pos".to_owned(), ints(place)), ("state".to_owned(), Tag::Int(index))]);
+    let nbt = grid.block_entities.get(&place);
     block.extend(nbt.map(|nbt| ("nbt".to_owned(), Tag::Compound(nbt.clone()))));
     Tag::Compound(block)
 }
