@@ -510,6 +510,15 @@ fn bombs_stop_at_the_limit_of_the_region() {
 }
 
 #[test]
+fn chunks_beyond_the_edge_of_all_worlds_count_as_not_made() {
+    let mut root = chunk_1_16([0, 0]);
+    let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
+    level.insert("xPos".into(), Tag::Int(i32::MIN));
+    let error = read(&region(&[([0, 0], &root)], 2)).unwrap_err().to_string();
+    assert_eq!(error, "there is no block but air");
+}
+
+#[test]
 fn half_made_chunks_count_as_not_made() {
     let mut root = chunk_1_16([0, 0]);
     let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };

@@ -78,7 +78,7 @@ impl Column {
     pub fn at(chunk: [i32; 2]) -> Option<Column> {
         let [x, z] = chunk;
         let inside = |n: &i32| (-EDGE / CHUNK..EDGE / CHUNK).contains(n);
-        chunk.iter().all(inside).then_some(Column { x: x * CHUNK, z: z * CHUNK })
+        chunk.iter().all(inside).then(|| Column { x: x * CHUNK, z: z * CHUNK })
     }
 
     pub fn chunk(self) -> [i32; 2] {
