@@ -10,6 +10,9 @@ const MOST_ROUNDS: usize = 16;
 pub fn unsettle(grid: &mut Grid) -> Result<(), PaletteFull> {
     settle(grid)?;
     grid.variants.iter_mut().try_for_each(unsettle)?;
+    if grid.palette().states().iter().all(|state| bare(state) == *state) {
+        return Ok(());
+    }
     let variants = std::mem::take(&mut grid.variants);
     if let Some(open) = open(grid)? {
         *grid = open;
