@@ -5,7 +5,7 @@ use super::report::{self, Source};
 use crate::grammar::{self, Checked, Severity};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
-use crate::io::{self, About, Content, Decoded, Limits, ReadError, Scale};
+use crate::io::{self, About, Content, Decoded, Limits, Options, ReadError, Scale};
 use crate::run::{Library, RunError};
 use std::path::{Path, PathBuf};
 
@@ -77,7 +77,8 @@ pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
 }
 
 fn decoded(name: &str, bytes: &[u8], reading: &Reading) -> Result<Decoded, Failure> {
-    let decoded = io::decode_scaled(bytes, &reading.limits, reading.scale);
+    let decoded =
+        io::decode_with(bytes, &reading.limits, &Options { scale: reading.scale, ..Options::default() });
     decoded.map_err(|error| Failure::read(name, &error))
 }
 

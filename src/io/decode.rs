@@ -1,9 +1,11 @@
 use super::{
-    About, Format, Limits, Options, ReadError, Scale, Warning, axiom, blueprint, gzip, litematic, magica,
-    mcedit, mcstructure, obj, region, schem, structure,
+    About, Format, Limits, Options, ReadError, Warning, axiom, blueprint, gzip, litematic, magica, mcedit,
+    mcstructure, obj, region, schem, structure,
 };
 use crate::grid::{Grid, LabelledBoxes};
-use crate::nbt::{self, Compound, NbtError, NbtProblem};
+use crate::nbt::{self, Compound, Endian};
+use std::borrow::Cow;
+use std::io::{self, BufRead, BufReader, Read};
 
 /// What a file holds.
 #[derive(Clone, Debug)]
@@ -20,43 +22,55 @@ pub struct Decoded {
     pub warnings: Vec<Warning>,
 }
 
-/// The content of a file, by what its bytes say it is. OBJ coordinates count in blocks.
+/// The content of a file, by what its bytes say it is.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
     decode_with(bytes, limits, &Options::default())
 }
 
-/// As [`decode`], where OBJ coordinates count in units of `scale`.
-pub fn decode_scaled(bytes: &[u8], limits: &Limits, scale: Scale) -> Result<Decoded, ReadError> {
-    decode_with(bytes, limits, &Options { scale, ..Options::default() })
-}
-
 /// As [`decode`], with a choice where there is one.
 pub fn decode_with(bytes: &[u8], limits: &Limits, options: &Options) -> Result<Decoded, ReadError> {
-    let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    let parsed = parse(&plain, limits)?;
-    match (&options.region, parsed.format()) {
+    let opened = open(bytes, limits)?;
+    match (&options.region, opened.format()) {
         (None, _) | (_, Format::Litematic) => {}
         (Some(name), _) => return Err(ReadError::NoRegion { name: name.clone(), names: Vec::new() }),
     }
-    match parsed {
-        Parsed::Tags(Format::Schem, root) => schem::decode(&root, limits).map(of_grid),
-        Parsed::Tags(Format::Litematic, root) => {
-            litematic::decode(&root, limits, options.region.as_deref()).map(of_grid)
-        }
-        Parsed::Tags(Format::Structure, root) => {
-            structure::decode(&root, limits, options.jigsaws).map(of_grid)
-        }
-        Parsed::Tags(Format::Mcedit, root) => mcedit::decode(&root, limits).map(of_grid),
-        Parsed::Tags(Format::Blueprint, root) => blueprint::decode(&root, limits).map(of_grid),
-        Parsed::Bytes(Format::MagicaVoxel) => magica::decode(&plain, limits).map(of_grid),
-        Parsed::Bytes(Format::Region) => region::decode(&plain, limits).map(of_grid),
-        Parsed::Bytes(Format::Mcstructure) => mcstructure::decode(&plain, limits).map(of_grid),
-        Parsed::Bytes(Format::Axiom) => axiom::decode(&plain, limits).map(of_grid),
-        Parsed::Bytes(Format::Obj) => {
-            let boxes = obj::decode_obj_boxes(&plain, options.scale)?;
+    match opened {
+        Opened::Tags(format, tags) => decode_tags(format, tags, limits, options),
+        Opened::Bytes(format, plain) => decode_bytes(format, &plain, limits, options),
+    }
+}
+
+/// The content of a format that is big-endian NBT.
+fn decode_tags(format: Format, tags: Tags, limits: &Limits, options: &Options) -> Result<Decoded, ReadError> {
+    let root = &tags.root;
+    let (grid, mut warnings) = match format {
+        Format::Schem => schem::decode(tags.root, tags.arrays, limits)?,
+        Format::Litematic => litematic::decode(root, limits, options.region.as_deref())?,
+        Format::Structure => structure::decode(root, limits, options.jigsaws)?,
+        Format::Mcedit => mcedit::decode(root, limits)?,
+        Format::Blueprint => blueprint::decode(root, limits)?,
+        _ => return Err(ReadError::Unreadable(format)),
+    };
+    warnings.extend((tags.trailing > 0).then_some(Warning::Trailing(tags.trailing)));
+    Ok(of_grid((grid, warnings)))
+}
+
+fn decode_bytes(
+    format: Format,
+    plain: &[u8],
+    limits: &Limits,
+    options: &Options,
+) -> Result<Decoded, ReadError> {
+    match format {
+        Format::Mcstructure => mcstructure::decode(plain, limits).map(of_grid),
+        Format::Axiom => axiom::decode(plain, limits).map(of_grid),
+        Format::MagicaVoxel => magica::decode(plain, limits).map(of_grid),
+        Format::Region => region::decode(plain, limits).map(of_grid),
+        Format::Obj => {
+            let boxes = obj::decode_obj_boxes(plain, options.scale)?;
             Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
         }
-        Parsed::Tags(format, _) | Parsed::Bytes(format) => Err(ReadError::Unreadable(format)),
+        _ => Err(ReadError::Unreadable(format)),
     }
 }
 
@@ -66,58 +80,77 @@ fn of_grid((grid, warnings): (Grid, Vec<Warning>)) -> Decoded {
 
 /// What format the bytes of a file are in.
 pub fn sniff(bytes: &[u8], limits: &Limits) -> Result<Format, ReadError> {
-    about(bytes, limits).map(|about| about.format)
+    open(bytes, limits).map(|opened| opened.format())
 }
 
 /// What the bytes of a file say of how they are written.
 pub fn about(bytes: &[u8], limits: &Limits) -> Result<About, ReadError> {
-    let plain = gzip::unpack(bytes, limits.max_bytes)?;
-    parse(&plain, limits).map(|parsed| match parsed {
-        Parsed::Tags(format, root) => About::of_tags(format, &root),
-        Parsed::Bytes(format) => About { format, version: None },
+    open(bytes, limits).map(|opened| match opened {
+        Opened::Tags(format, tags) => About::of_tags(format, &tags.root),
+        Opened::Bytes(format, _) => About { format, version: None },
     })
 }
 
-enum Parsed {
-    Tags(Format, Compound),
-    Bytes(Format),
+/// A file as far as all formats are alike.
+enum Opened<'a> {
+    /// Big-endian NBT, read as a stream.
+    Tags(Format, Tags),
+    /// Anything else, unpacked.
+    Bytes(Format, Cow<'a, [u8]>),
 }
 
-impl Parsed {
+impl Opened<'_> {
     fn format(&self) -> Format {
         match self {
-            Parsed::Tags(format, _) | Parsed::Bytes(format) => *format,
+            Opened::Tags(format, _) | Opened::Bytes(format, _) => *format,
         }
     }
 }
 
-fn parse(plain: &[u8], limits: &Limits) -> Result<Parsed, ReadError> {
-    if plain.is_empty() {
+struct Tags {
+    root: Compound,
+    arrays: schem::Incoming,
+    /// The bytes after the root's end.
+    trailing: u64,
+}
+
+/// As many bytes as tell NBT from anything else.
+const HEAD: u64 = 1024;
+
+fn open<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>, ReadError> {
+    let (head, content) = gzip::peek(gzip::open(bytes, limits.max_bytes)?, HEAD)?;
+    if head.is_empty() {
         return Err(ReadError::Empty);
     }
-    if let Some(format) = Format::of_bytes(plain) {
-        return Ok(Parsed::Bytes(format));
+    // The type of a compound; it is a line break, too.
+    if head[0] == 10 && Format::of_bytes(&head).is_none() {
+        let tags = tags(content, gzip::most_unpacked(bytes.len()), limits)?;
+        return match Format::of_tags(&tags.root) {
+            Some(format) => Ok(Opened::Tags(format, tags)),
+            None => Err(ReadError::NoSchematic(names(&tags.root))),
+        };
     }
-    // The type of a compound.
-    if plain[0] != 10 {
-        return Err(ReadError::Unknown(first_bytes(plain)));
-    }
-    let root = tags(plain, limits)?;
-    match Format::of_tags(&root) {
-        Some(format) => Ok(Parsed::Tags(format, root)),
-        None => Err(ReadError::NoSchematic(names(&root))),
+    let plain = if gzip::is_gzip(bytes) { Cow::Owned(all(content)?) } else { Cow::Borrowed(bytes) };
+    match Format::of_bytes(&plain) {
+        Some(format) => Ok(Opened::Bytes(format, plain)),
+        None => Err(ReadError::Unknown(first_bytes(&plain))),
     }
 }
 
-/// Files that were appended to themselves hold nothing new, so they are read as one; anything else
-/// after the end is a sign of damage.
-fn tags(plain: &[u8], limits: &Limits) -> Result<Compound, NbtError> {
-    let (_, root, end) = nbt::read_first(plain, &limits.nbt())?;
-    let (first, rest) = plain.split_at(end);
-    match rest.chunks(end).all(|copy| copy == first) {
-        true => Ok(root),
-        false => Err(NbtError::new(end, NbtProblem::Trailing(rest.len()))),
-    }
+fn tags(content: Box<dyn BufRead + '_>, most: usize, limits: &Limits) -> Result<Tags, ReadError> {
+    // The layers below are too deep to be asked for every number.
+    let mut content = BufReader::with_capacity(gzip::CHUNK, content);
+    let mut arrays = schem::Incoming::new(most, limits);
+    let (_, root, _) = nbt::read_from(&mut content, Endian::Big, &limits.nbt(), &mut arrays)?;
+    // To the very end, where gzip keeps its checksum.
+    let trailing = io::copy(&mut content, &mut io::sink())?;
+    Ok(Tags { root, arrays, trailing })
+}
+
+fn all(mut content: Box<dyn BufRead + '_>) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    content.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn first_bytes(bytes: &[u8]) -> String {

@@ -1,21 +1,22 @@
 use super::{ChunkProblem, Format, GzipError, MagicaError, ObjError, VarintProblem};
 use crate::block::{BadBlockState, PaletteFull};
-use crate::nbt::{self, NbtError};
+use crate::nbt::{self, NbtError, NbtProblem};
 use crate::space::Cell;
+use std::io;
 
 /// Why a file cannot be read. The name of the file is for the caller to add.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     #[error(transparent)]
-    File(#[from] std::io::Error),
+    File(io::Error),
     #[error("the file is larger than {0} bytes, the limit")]
     LargeFile(u64),
     #[error("the file is empty")]
     Empty,
     #[error(transparent)]
-    Gzip(#[from] GzipError),
+    Gzip(GzipError),
     #[error(transparent)]
-    Nbt(#[from] NbtError),
+    Nbt(NbtError),
     #[error("this is {0}, which vox cannot read: expected a Sponge schematic (.schem) or a labelled OBJ")]
     Unreadable(Format),
     #[error(
@@ -102,8 +103,8 @@ pub enum ReadError {
     NotInPalette { path: String, cell: Cell, index: u32, entries: usize },
     #[error("`{path}` ends after {found} of {cells} blocks")]
     TooFewBlocks { path: String, found: u64, cells: u64 },
-    #[error("`{path}` goes on for {bytes} bytes after all {cells} blocks")]
-    TooManyBlocks { path: String, bytes: usize, cells: u64 },
+    #[error("`{path}` goes on after all {cells} blocks")]
+    TooManyBlocks { path: String, cells: u64 },
 
     #[error("{name}: {error}")]
     Named { name: String, error: Box<ReadError> },
@@ -144,8 +145,24 @@ pub enum ReadError {
     Obj(#[from] ObjError),
 }
 
-/// Palette indices up to here are kept in a table.
-pub(super) const PALETTE_INDEX_MAX: i32 = (1 << 20) - 1;
+/// What goes wrong while unpacking comes out of the stream as an error of it.
+impl From<io::Error> for ReadError {
+    fn from(error: io::Error) -> ReadError {
+        error.downcast::<GzipError>().map_or_else(ReadError::File, ReadError::Gzip)
+    }
+}
+
+impl From<NbtError> for ReadError {
+    fn from(error: NbtError) -> ReadError {
+        match error.problem {
+            NbtProblem::Input(error) => error.into(),
+            _ => ReadError::Nbt(error),
+        }
+    }
+}
+
+/// Cells hold 16 bits.
+pub(super) const PALETTE_INDEX_MAX: i32 = (1 << 16) - 1;
 
 /// A size as messages show it: `17 x 12 x 12`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -6,7 +6,7 @@ use crate::nbt::{Compound, Tag};
 /// A compound and where it stands in its file.
 #[derive(Clone)]
 pub(super) struct Fields<'a> {
-    path: String,
+    pub path: String,
     pub tags: &'a Compound,
 }
 
@@ -72,7 +72,7 @@ pub(super) fn values<'a, T: FromTag<'a>>(
     })
 }
 
-fn wrong_type<'a, T: FromTag<'a>>(path: String, tag: &Tag) -> ReadError {
+pub(super) fn wrong_type<'a, T: FromTag<'a>>(path: String, tag: &Tag) -> ReadError {
     ReadError::WrongType { path, expected: T::EXPECTED, found: describe(tag) }
 }
 

@@ -1,10 +1,9 @@
 //! Files <-> grids and labelled boxes, one folder per format. Knows nothing of grammars.
 //!
 //! ```text
-//! bytes --gzip--> bytes --sniff--> Format --schem------> Grid
-//!                                         --litematic--> Grid
-//!                                         --structure--> Grid
-//!                                         --obj--------> LabelledBoxes
+//! bytes --gzip--> stream --nbt--> tags, arrays --schem, litematic, ..--> Grid
+//!                        --all--> bytes ---------region, magica, ..-----> Grid
+//!                                       ---------obj--------------------> LabelledBoxes
 //! ```
 //!
 //! What a file is, its content says: names and extensions are never asked.
@@ -39,7 +38,7 @@ mod volume;
 mod warning;
 
 pub use about::About;
-pub use decode::{Content, Decoded, about, decode, decode_scaled, decode_with, sniff};
+pub use decode::{Content, Decoded, about, decode, decode_with, sniff};
 pub use encoded::Encoded;
 pub use error::{ReadError, WriteError};
 pub use file::{Staged, read, read_bytes, write_atomic};

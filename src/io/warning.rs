@@ -57,4 +57,8 @@ pub enum Warning {
     BlocksReplaced(usize),
     #[error("{0} jigsaw blocks are read as the blocks that they leave behind")]
     Jigsaws(usize),
+    #[error("the biomes do not fit the schematic and are left out")]
+    Biomes,
+    #[error("{0} bytes follow after the end and are left out")]
+    Trailing(u64),
 }

@@ -1,25 +1,19 @@
-use std::fmt;
+use super::path::Mark;
+use std::{fmt, io};
 
 /// Why bytes are not an NBT tree, and where.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Debug)]
 pub struct NbtError {
     /// The byte at which the broken value starts.
-    pub offset: usize,
-    /// From the broken tag outwards: steps are added as the reader unwinds.
-    steps: Vec<Step>,
+    pub offset: u64,
+    path: String,
     pub problem: NbtProblem,
 }
 
-#[derive(Clone, PartialEq, Eq, Debug)]
-enum Step {
-    Name(String),
-    Index(usize),
-}
-
-#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum NbtProblem {
     #[error("{what} takes {needed} bytes, but only {left} are left")]
-    CutOff { what: &'static str, needed: u64, left: usize },
+    CutOff { what: &'static str, needed: u64, left: u64 },
     #[error("there is no tag type {0}: expected 1 to 12")]
     TagType(u8),
     #[error("expected a compound (tag type 10) at the root, found tag type {0}")]
@@ -35,42 +29,41 @@ pub enum NbtProblem {
     #[error("the tags take more than {0} bytes of memory")]
     TooLarge(u64),
     #[error("{0} bytes follow after the end of the root compound")]
-    Trailing(usize),
+    Trailing(u64),
+    /// The bytes themselves could not be read.
+    #[error("{0}")]
+    Input(io::Error),
 }
 
 impl NbtError {
-    pub(crate) fn new(offset: usize, problem: NbtProblem) -> NbtError {
-        NbtError { offset, steps: Vec::new(), problem }
+    pub(super) fn new(offset: u64, path: &str, problem: NbtProblem) -> NbtError {
+        NbtError { offset, path: path.to_owned(), problem }
     }
 
-    pub(super) fn in_tag(mut self, name: &str) -> NbtError {
-        self.steps.push(Step::Name(name.to_owned()));
+    /// Tells the number of the entry in the list whose step in the path starts at `mark`.
+    pub(super) fn in_entry(mut self, mark: &Mark, index: usize) -> NbtError {
+        self.path.insert_str(mark.0 + 1, &index.to_string());
         self
     }
 
-    pub(super) fn in_entry(mut self, index: usize) -> NbtError {
-        self.steps.push(Step::Index(index));
+    /// The same of an array of `len` bytes where it is told of the part after the first `before`.
+    pub(super) fn in_array(mut self, before: usize, len: usize) -> NbtError {
+        if let NbtProblem::CutOff { needed, left, .. } = &mut self.problem {
+            (*needed, *left) = (len as u64, *left + before as u64);
+            self.offset -= before as u64;
+        }
         self
     }
 
     /// The names from the root to the broken tag, as in `Schematic.BlockEntities[3].Pos`.
-    pub fn path(&self) -> String {
-        let mut path = String::new();
-        for step in self.steps.iter().rev() {
-            match step {
-                Step::Index(index) => path += &format!("[{index}]"),
-                Step::Name(name) if path.is_empty() => path += name,
-                Step::Name(name) => path += &format!(".{name}"),
-            }
-        }
-        path
+    pub fn path(&self) -> &str {
+        &self.path
     }
 }
 
 impl fmt::Display for NbtError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let path = self.path();
-        let place = if path.is_empty() { path } else { format!(", in `{path}`") };
+        let place = if self.path.is_empty() { String::new() } else { format!(", in `{}`", self.path) };
         write!(f, "broken NBT at byte {}{place}: {}", self.offset, self.problem)
     }
 }

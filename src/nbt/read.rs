@@ -1,5 +1,8 @@
+use super::input::Input;
+use super::path::Path;
 use super::tag::id;
-use super::{Compound, Endian, Limits, NbtError, NbtProblem, Tag};
+use super::{Compound, Endian, Limits, NbtError, NbtProblem, Sink, Tag};
+use std::io::BufRead;
 
 /// The root name and tree of big-endian NBT, which must fill `bytes`.
 ///
@@ -9,59 +12,82 @@ pub fn read(bytes: &[u8], limits: &Limits) -> Result<(String, Compound), NbtErro
     read_as(Endian::Big, bytes, limits)
 }
 
-/// As [`read`], of NBT in either order of bytes.
+/// As [`read`], in either order of bytes.
 pub fn read_as(endian: Endian, bytes: &[u8], limits: &Limits) -> Result<(String, Compound), NbtError> {
-    let (name, root, end) = first(endian, bytes, limits)?;
-    match bytes.len() - end {
+    let (name, root, end) = read_from(bytes, endian, limits, &mut ())?;
+    match bytes.len() as u64 - end {
         0 => Ok((name, root)),
-        left => Err(NbtError::new(end, NbtProblem::Trailing(left))),
+        left => Err(NbtError::new(end, "", NbtProblem::Trailing(left))),
     }
 }
 
-/// The root name and tree of the NBT that `bytes` start with, and the number of bytes that it takes.
+/// The root name and tree of the big-endian NBT that `bytes` start with, and the number of bytes that it takes.
 pub fn read_first(bytes: &[u8], limits: &Limits) -> Result<(String, Compound, usize), NbtError> {
-    first(Endian::Big, bytes, limits)
+    let (name, root, end) = read_from(bytes, Endian::Big, limits, &mut ())?;
+    Ok((name, root, end as usize))
 }
 
-fn first(endian: Endian, bytes: &[u8], limits: &Limits) -> Result<(String, Compound, usize), NbtError> {
-    let mut reader = Reader { endian, bytes, at: 0, memory: limits.max_memory, limits };
+/// The root name and tree of the NBT that `input` starts with, and the number of bytes that it took.
+/// Byte arrays in compounds go to `sink` where it wants them. The path of one within a list does not tell its entry:
+/// `Chests[].Data`.
+pub fn read_from(
+    input: impl BufRead,
+    endian: Endian,
+    limits: &Limits,
+    sink: &mut dyn Sink,
+) -> Result<(String, Compound, u64), NbtError> {
+    let (input, path) = (Input::new(input), Path::default());
+    let mut reader = Reader { input, endian, path, memory: limits.max_memory, limits, sink };
     let root = reader.byte("the type of the root tag")?;
     if root != id::COMPOUND {
-        return Err(NbtError::new(0, NbtProblem::Root(root)));
+        return Err(NbtError::new(0, "", NbtProblem::Root(root)));
     }
     let name = reader.text()?;
     let compound = reader.compound(1)?;
-    Ok((name, compound, reader.at))
+    Ok((name, compound, reader.input.at))
 }
 
-struct Reader<'a> {
+/// A node of a compound's map has room for 11 entries and is at least half full but for the first.
+const FIRST_ENTRY: u64 = 11 * size_of::<(String, Tag)>() as u64 + 16;
+const FURTHER_ENTRY: u64 = FIRST_ENTRY / 5;
+
+struct Reader<'a, R> {
+    input: Input<R>,
     endian: Endian,
-    bytes: &'a [u8],
-    at: usize,
+    path: Path,
     /// What the tree may still cost.
     memory: u64,
     limits: &'a Limits,
+    sink: &'a mut dyn Sink,
 }
 
-impl<'a> Reader<'a> {
-    fn fail<T>(&self, problem: NbtProblem) -> Result<T, NbtError> {
-        Err(NbtError::new(self.at, problem))
+impl<R: BufRead> Reader<'_, R> {
+    fn error(&self, problem: NbtProblem) -> NbtError {
+        NbtError::new(self.input.at, self.path.as_str(), problem)
     }
 
-    fn take(&mut self, what: &'static str, needed: u64) -> Result<&'a [u8], NbtError> {
-        let rest = &self.bytes[self.at..];
-        match usize::try_from(needed).ok().and_then(|needed| rest.get(..needed)) {
-            None => self.fail(NbtProblem::CutOff { what, needed, left: rest.len() }),
-            Some(taken) => {
-                self.at += taken.len();
-                Ok(taken)
-            }
+    fn fail<T>(&self, problem: NbtProblem) -> Result<T, NbtError> {
+        Err(self.error(problem))
+    }
+
+    /// The error of a value of which only the last `left` bytes were there.
+    fn cut_off(&self, what: &'static str, needed: usize, left: usize) -> NbtError {
+        let problem = NbtProblem::CutOff { what, needed: needed as u64, left: left as u64 };
+        NbtError::new(self.input.at - left as u64, self.path.as_str(), problem)
+    }
+
+    fn fill(&mut self, what: &'static str, target: &mut [u8]) -> Result<(), NbtError> {
+        let filled = self.input.fill(target).map_err(|error| self.error(NbtProblem::Input(error)))?;
+        match filled < target.len() {
+            true => Err(self.cut_off(what, target.len(), filled)),
+            false => Ok(()),
         }
     }
 
+    /// The bytes of a number, high byte first.
     fn array<const N: usize>(&mut self, what: &'static str) -> Result<[u8; N], NbtError> {
         let mut array = [0; N];
-        array.copy_from_slice(self.take(what, N as u64)?);
+        self.fill(what, &mut array)?;
         Ok(self.endian.arrange(array))
     }
 
@@ -69,17 +95,9 @@ impl<'a> Reader<'a> {
         Ok(self.array::<1>(what)?[0])
     }
 
-    /// A length of entries that take at least `width` bytes each, all of which are there.
-    fn length(&mut self, what: &'static str, width: u64) -> Result<u64, NbtError> {
+    fn length(&mut self, what: &'static str) -> Result<usize, NbtError> {
         let len = i32::from_be_bytes(self.array(what)?);
-        let Ok(count) = u64::try_from(len) else {
-            return self.fail(NbtProblem::NegativeLength { what, len });
-        };
-        let left = self.bytes.len() - self.at;
-        match count * width {
-            needed if needed > left as u64 => self.fail(NbtProblem::CutOff { what, needed, left }),
-            _ => Ok(count),
-        }
+        usize::try_from(len).map_err(|_| self.error(NbtProblem::NegativeLength { what, len }))
     }
 
     fn charge(&mut self, cost: u64) -> Result<(), NbtError> {
@@ -90,6 +108,17 @@ impl<'a> Reader<'a> {
                 Ok(())
             }
         }
+    }
+
+    /// Makes room for `more` of the at most `most` entries of `entries`: at a time no more than as many as came.
+    fn reserve<T>(&mut self, entries: &mut Vec<T>, more: usize, most: usize) -> Result<(), NbtError> {
+        let (len, room) = (entries.len(), entries.capacity());
+        if room - len < more {
+            let wanted = (len + more).max(2 * room).min(most);
+            self.charge(((wanted - room) * size_of::<T>()) as u64)?;
+            entries.reserve_exact(wanted - len);
+        }
+        Ok(())
     }
 
     fn check_depth(&self, depth: usize) -> Result<(), NbtError> {
@@ -117,43 +146,85 @@ impl<'a> Reader<'a> {
         })
     }
 
+    /// The value of a compound's tag, which `sink` may take.
+    fn tag(&mut self, kind: u8, depth: usize) -> Result<Tag, NbtError> {
+        if kind != id::BYTE_ARRAY {
+            return self.payload(kind, depth);
+        }
+        let what = "a Byte Array";
+        let len = self.length(what)?;
+        if !self.sink.wants(self.path.as_str(), len) {
+            return Ok(Tag::ByteArray(self.entries(what, len, i8::from_be_bytes)?));
+        }
+        let passed = self.input.pass(len, |piece| self.sink.take(piece));
+        match passed.map_err(|error| self.error(NbtProblem::Input(error)))? {
+            passed if passed < len => Err(self.cut_off(what, len, passed)),
+            _ => Ok(Tag::ByteArray(Vec::new())),
+        }
+    }
+
     fn numbers<T, const N: usize>(
         &mut self,
         what: &'static str,
         number: impl Fn([u8; N]) -> T,
     ) -> Result<Vec<T>, NbtError> {
-        let len = self.length(what, N as u64)?;
-        self.charge(len * N as u64)?;
-        let (chunks, _) = self.take(what, len * N as u64)?.as_chunks::<N>();
-        Ok(chunks.iter().map(|chunk| number(self.endian.arrange(*chunk))).collect())
+        let len = self.length(what)?;
+        self.entries(what, len, number)
+    }
+
+    /// The `len` numbers of an array. Never inlined, lest its buffer stand in every frame of a deep tree.
+    #[inline(never)]
+    fn entries<T, const N: usize>(
+        &mut self,
+        what: &'static str,
+        len: usize,
+        number: impl Fn([u8; N]) -> T,
+    ) -> Result<Vec<T>, NbtError> {
+        let mut buffer = [0; 8192];
+        let mut numbers = Vec::new();
+        while numbers.len() < len {
+            let step = (len - numbers.len()).min(buffer.len() / N);
+            let before = numbers.len() * N;
+            self.fill(what, &mut buffer[..step * N]).map_err(|error| error.in_array(before, len * N))?;
+            self.reserve(&mut numbers, step, len)?;
+            let (chunks, _) = buffer[..step * N].as_chunks::<N>();
+            numbers.extend(chunks.iter().map(|chunk| number(self.endian.arrange(*chunk))));
+        }
+        Ok(numbers)
     }
 
     fn text(&mut self) -> Result<String, NbtError> {
-        let start = self.at;
+        let start = self.input.at;
         let len = u16::from_be_bytes(self.array("the length of a text")?);
-        self.charge(u64::from(len))?;
-        let bytes = self.take("a text", u64::from(len))?;
+        // Twice: once for the text, once for the path where it is a name.
+        self.charge(2 * u64::from(len))?;
+        let mut bytes = vec![0; usize::from(len)];
+        self.fill("a text", &mut bytes)?;
         // Plain UTF-8 comes first: many tools write it, and the two forms rarely differ.
-        match std::str::from_utf8(bytes) {
-            Ok(text) => Ok(text.to_owned()),
-            Err(_) => cesu8::from_java_cesu8(bytes)
-                .map(|text| text.into_owned())
-                .map_err(|_| NbtError::new(start, NbtProblem::Text)),
-        }
+        String::from_utf8(bytes).or_else(|error| match cesu8::from_java_cesu8(error.as_bytes()) {
+            Ok(text) => Ok(text.into_owned()),
+            Err(_) => Err(NbtError::new(start, self.path.as_str(), NbtProblem::Text)),
+        })
     }
 
     fn list(&mut self, depth: usize) -> Result<Vec<Tag>, NbtError> {
         self.check_depth(depth)?;
         let kind = self.byte("the entry type of a List")?;
-        let Some(width) = least_width(kind) else { return self.fail(NbtProblem::TagType(kind)) };
-        let len = self.length("a List", width)?;
+        if kind > id::LONG_ARRAY {
+            return self.fail(NbtProblem::TagType(kind));
+        }
+        let len = self.length("a List")?;
         if kind == id::END && len > 0 {
             return self.fail(NbtProblem::UntypedList(len as i32));
         }
-        self.charge(len * size_of::<Tag>() as u64)?;
-        (0..len as usize)
-            .map(|index| self.payload(kind, depth + 1).map_err(|error| error.in_entry(index)))
-            .collect()
+        let mark = self.path.enter_list();
+        let mut entries = Vec::new();
+        for index in 0..len {
+            self.reserve(&mut entries, 1, len)?;
+            entries.push(self.payload(kind, depth + 1).map_err(|error| error.in_entry(&mark, index))?);
+        }
+        self.path.leave(&mark);
+        Ok(entries)
     }
 
     fn compound(&mut self, depth: usize) -> Result<Compound, NbtError> {
@@ -165,22 +236,11 @@ impl<'a> Reader<'a> {
                 return Ok(compound);
             }
             let name = self.text()?;
-            self.charge(size_of::<(String, Tag)>() as u64)?;
-            let tag = self.payload(kind, depth + 1).map_err(|error| error.in_tag(&name))?;
+            self.charge(if compound.is_empty() { FIRST_ENTRY } else { FURTHER_ENTRY })?;
+            let mark = self.path.enter_tag(&name);
+            let tag = self.tag(kind, depth + 1)?;
+            self.path.leave(&mark);
             compound.insert(name, tag);
         }
-    }
-}
-
-/// The fewest bytes that a value of type `kind` takes; `None` where there is no such type.
-fn least_width(kind: u8) -> Option<u64> {
-    match kind {
-        id::END => Some(0),
-        id::BYTE | id::COMPOUND => Some(1),
-        id::SHORT | id::STRING => Some(2),
-        id::INT | id::FLOAT | id::BYTE_ARRAY | id::INT_ARRAY | id::LONG_ARRAY => Some(4),
-        id::LIST => Some(5),
-        id::LONG | id::DOUBLE => Some(8),
-        _ => None,
     }
 }

@@ -2,8 +2,8 @@ use super::{read, read_grid, tags};
 use ndarray::{Array2, Array3};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
-use vox::block::{BlockState, Palette};
-use vox::grid::{BiomeMap, Biomes, Entity, Grid, Metadata};
+use vox::block::{BlockState, Palette, complete};
+use vox::grid::{BiomeMap, Biomes, Dialect, Entity, Grid, Metadata, Own};
 use vox::io::{DEFAULT_DATA_VERSION, Limits, Lost, SchemVersion, WriteError, decode, encode_schem};
 use vox::nbt::Tag;
 use vox::space::Cell;
@@ -18,7 +18,7 @@ pub fn states(count: usize) -> Palette {
     let mut palette = Palette::default();
     for n in 1..count {
         let state = BlockState::new("note_block").unwrap().with("note", &n.to_string());
-        palette.intern(&state).unwrap();
+        palette.intern(&complete(&state)).unwrap();
     }
     palette
 }
@@ -184,6 +184,51 @@ fn biomes_convert_between_columns_and_cells() {
     }
     grid.metadata.biomes = layers;
     assert_eq!(encode_schem(&grid, SchemVersion::V2).unwrap().lost, [Lost::Biomes]);
+}
+
+#[test]
+fn unknown_tags_survive() {
+    let number = |n| Tag::Int(n);
+    let blocks = Tag::Compound(tags([("Lights", number(2))]));
+    let own = |tags| Some(Own { dialect: Dialect::Sponge, tags });
+    let everything = tags([("Palisade", Tag::ByteArray(vec![1])), ("Blocks", blocks.clone())]);
+    let mut grid = Grid::new(Cell::ONE);
+    grid.metadata.own = own(everything.clone());
+    let cases = [
+        (SchemVersion::V3, own(everything), vec![]),
+        (
+            SchemVersion::V2,
+            own(tags([("Palisade", Tag::ByteArray(vec![1]))])),
+            vec![Lost::Own(vec!["Lights".into()])],
+        ),
+    ];
+    for (version, kept, lost) in cases {
+        let encoded = encode_schem(&grid, version).unwrap();
+        assert_eq!(read_grid(&encoded.bytes).metadata.own, kept);
+        assert_eq!(encoded.lost, lost);
+    }
+}
+
+#[test]
+fn tags_of_one_s_own_never_stand_for_those_of_the_format() {
+    let mut grid = Grid::new(Cell::ONE);
+    let plain = schem(&grid, SchemVersion::V2);
+    let misleading = tags([("Width", Tag::Short(7)), ("Biomes", Tag::Int(1)), ("Blocks", Tag::Int(1))]);
+    grid.metadata.own = Some(Own { dialect: Dialect::Sponge, tags: misleading });
+    assert_eq!(schem(&grid, SchemVersion::V2), plain);
+}
+
+#[test]
+fn states_that_are_one_once_complete_share_an_index() {
+    let mut grid = Grid::new(Cell::new(2, 1, 1));
+    let bare = BlockState::new("oak_log").unwrap();
+    for (x, state) in [(0, bare.clone()), (1, bare.with("axis", "y"))] {
+        let id = grid.intern(&state).unwrap();
+        grid.set(Cell::new(x, 0, 0), id);
+    }
+    let back = read_grid(&schem(&grid, SchemVersion::V2));
+    assert_eq!(back.cells().iter().copied().collect::<Vec<u16>>(), [1, 1]);
+    assert_eq!(back.palette().states()[1].short(), "oak_log[axis=y]");
 }
 
 #[test]

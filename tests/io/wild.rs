@@ -1,7 +1,7 @@
 //! What tools write that the specification does not foresee, and vox reads all the same.
 
 use super::{file, read, read_grid, small, tags};
-use vox::io::Warning;
+use vox::io::{SchemVersion, Warning, encode_schem};
 use vox::nbt::{self, Compound, Tag};
 use vox::space::Cell;
 
@@ -53,7 +53,6 @@ fn layouts_of_the_same_blocks() {
         ("packed", gzip(&plain)),
         ("packed twice", gzip(&gzip(&plain))),
         ("two gzip members", [gzip(head), gzip(tail)].concat()),
-        ("the file twice over", [gzip(&plain), gzip(&plain)].concat()),
         ("no version", file(&without(small(), "Version"))),
         ("version 1", file(&with(without(small(), "DataVersion"), tags([("Version", Tag::Int(1))])))),
         ("nested version 2", nbt::write("", &nested(small())).unwrap()),
@@ -65,6 +64,18 @@ fn layouts_of_the_same_blocks() {
         let decoded = read(&bytes).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(decoded.warnings, [], "{name}");
         assert!(read_grid(&bytes).same_blocks(&expected), "{name}");
+    }
+}
+
+#[test]
+fn what_follows_after_the_end_is_left_out() {
+    let (plain, expected) = (file(&small()), read_grid(&file(&small())));
+    let twice = [gzip(&plain), gzip(&plain)].concat();
+    let more = [plain.clone(), b"more".to_vec()].concat();
+    for (bytes, left) in [(twice, plain.len() as u64), (gzip(&more), 4), (more, 4)] {
+        let decoded = read(&bytes).unwrap();
+        assert_eq!(decoded.warnings, [Warning::Trailing(left)]);
+        assert!(read_grid(&bytes).same_blocks(&expected));
     }
 }
 
@@ -82,6 +93,26 @@ fn widths_are_unsigned() {
 fn a_wrong_palette_max_is_a_warning() {
     let decoded = read(&file(&with(small(), tags([("PaletteMax", Tag::Int(7))])))).unwrap();
     assert_eq!(decoded.warnings, [Warning::PaletteMax { said: 7, found: 2 }]);
+}
+
+#[test]
+fn biomes_that_do_not_fit_are_a_warning() {
+    let palette = || Tag::Compound(tags([("plains", Tag::Int(0))]));
+    let data = |len| Tag::ByteArray(vec![0; len]);
+    let flat = |len| file(&with(small(), tags([("BiomePalette", palette()), ("BiomeData", data(len))])));
+    let biomes = |len| Tag::Compound(tags([("Palette", palette()), ("Data", data(len))]));
+    let nested_3 = |len| file(&with(small_3(Compound::new()), tags([("Biomes", biomes(len))])));
+    let half = file(&with(small(), tags([("BiomeData", data(4))])));
+    for (bytes, warnings) in [
+        (flat(4), vec![]),
+        (nested_3(4), vec![]),
+        (flat(3), vec![Warning::Biomes]),
+        (nested_3(5), vec![Warning::Biomes]),
+        (half, vec![Warning::Biomes]),
+    ] {
+        assert_eq!(read(&bytes).unwrap().warnings, warnings);
+        assert_eq!(read_grid(&bytes).metadata.biomes.is_some(), warnings.is_empty());
+    }
 }
 
 #[test]
@@ -122,6 +153,25 @@ fn block_entities_in_every_layout() {
     }
     let outside = read(&in_2("BlockEntities", chest(ints([2, 0, 0]), lock()))).unwrap();
     assert_eq!(outside.warnings, [Warning::BlockEntitiesOutside(1)]);
+}
+
+#[test]
+fn a_tag_of_the_game_s_own_called_data_is_kept() {
+    let own = || tags([("Data", Tag::ByteArray(vec![1])), ("Lock", Tag::String("key".into()))]);
+    let flat = chest(Tag::IntArray(vec![1, 0, 1]), own());
+    let nested = chest(Tag::IntArray(vec![1, 0, 1]), tags([("Data", Tag::Compound(own()))]));
+    let expected = with(own(), tags([("id", Tag::String("minecraft:chest".into()))]));
+    for bytes in [
+        file(&with(small(), tags([("BlockEntities", flat)]))),
+        file(&small_3(tags([("BlockEntities", nested)]))),
+    ] {
+        let grid = read_grid(&bytes);
+        assert_eq!(grid.block_entities, [([1, 0, 1], expected.clone())].into());
+        for version in [SchemVersion::V2, SchemVersion::V3] {
+            let back = read_grid(&encode_schem(&grid, version).unwrap().bytes);
+            assert_eq!(back.block_entities, grid.block_entities);
+        }
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The three parts of a file.
 
 use crate::io::{Limits, ReadError, gzip};
-use crate::nbt::{self, Compound};
+use crate::nbt::{self, Compound, Endian};
 
 pub(super) struct Parts<'a> {
     pub header: Compound,
@@ -18,9 +18,9 @@ impl<'a> Parts<'a> {
         let mut rest = &bytes[MAGIC.min(bytes.len())..];
         let header = part(&mut rest, "header")?;
         let picture = part(&mut rest, "picture")?;
-        let blocks = gzip::unpack(part(&mut rest, "blocks")?, limits.max_bytes)?;
+        let blocks = gzip::open(part(&mut rest, "blocks")?, limits.max_bytes)?;
         let (_, header) = nbt::read(header, &limits.nbt())?;
-        let (_, blocks) = nbt::read(&blocks, &limits.nbt())?;
+        let (_, blocks, _) = nbt::read_from(blocks, Endian::Big, &limits.nbt(), &mut ())?;
         Ok(Parts { header, picture, blocks })
     }
 }

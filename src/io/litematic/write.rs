@@ -5,7 +5,7 @@ use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::states::Complete;
 use crate::io::{Encoded, Lost, WriteError, gzip};
-use crate::nbt::{self, Compound, Tag};
+use crate::nbt::{self, Compound, Endian, Tag};
 use crate::space::{Bounds, Cell};
 
 /// The versions of the format that are written. They differ only in the game's data, which are left alone.
@@ -36,7 +36,7 @@ pub fn encode_litematic(grid: &Grid, version: LitematicVersion) -> Result<Encode
         lost_regions,
         Lost::variants(grid),
     ];
-    let bytes = gzip::pack(&nbt::write("", &root)?)?;
+    let bytes = gzip::pack(|out| nbt::write_to(out, Endian::Big, "", &root, &()))?;
     Ok(Encoded { bytes, lost: lost.into_iter().flatten().collect() })
 }
 

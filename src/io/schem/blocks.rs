@@ -1,14 +1,16 @@
 //! The palette and the block indices.
 
-use crate::block::{BlockState, Palette};
+use super::arrays::{Outgoing, RUN, uniform};
+use crate::block::{self, BlockState, Palette};
 use crate::grid::Grid;
 use crate::io::ReadError;
 use crate::io::error::PALETTE_INDEX_MAX;
 use crate::io::fields::{Fields, FromTag};
-use crate::io::varint::{self, Varints};
+use crate::io::varint::{Stop, Varints};
 use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
 use ndarray::Array3;
+use std::borrow::Cow;
 
 /// The states of a file, and their numbers by the indices that the file gives them.
 pub(super) struct Palettes {
@@ -43,6 +45,21 @@ impl Palettes {
         let cells = Array3::from_shape_vec((y, z, x), cells).expect("as many cells as the size makes");
         Grid::from_cells(cells, self.palette).expect("cells hold numbers of their palette")
     }
+
+    /// Replaces the file's indices by the numbers of their states; else the place of the first that has none.
+    fn resolve(&self, indices: &mut [u16]) -> Result<(), usize> {
+        let whole = self.ids.iter().all(Option::is_some);
+        let known = |index: u16| matches!(self.ids.get(usize::from(index)), Some(Some(_)));
+        let highest = indices.iter().fold(0, |highest, &index| highest.max(index));
+        if !whole || !known(highest) {
+            indices.iter().position(|&index| !known(index)).map_or(Ok(()), Err)?;
+        }
+        if self.ids.iter().zip(0..=u16::MAX).any(|(&id, index)| id != Some(index)) {
+            let ids: Vec<u16> = self.ids.iter().map(|id| id.unwrap_or_default()).collect();
+            indices.iter_mut().for_each(|index| *index = ids[usize::from(*index)]);
+        }
+        Ok(())
+    }
 }
 
 /// The entries of a palette by index, each index once.
@@ -74,38 +91,36 @@ fn entries<'a>(path: &str, tags: &'a Compound) -> Result<Vec<(usize, &'a str)>, 
     }
 }
 
-/// The palette numbers of all cells. `data` holds at least one byte for each.
+/// The palette numbers of all cells. `data`, which stands at `path`, has at least one byte for each.
 pub(super) fn decode(
     path: &str,
-    data: &[i8],
+    data: Varints,
     size: Cell,
     palettes: &Palettes,
 ) -> Result<Vec<u16>, ReadError> {
     let volume = Bounds::of_size(size).volume();
-    let mut cells = Vec::with_capacity(volume as usize);
-    let mut varints = Varints::new(data);
-    while (cells.len() as u64) < volume {
-        let cell = || cell_at(cells.len(), size);
-        let index = match varints.next() {
-            Some(Ok(index)) => index,
-            Some(Err(problem)) => {
-                let (path, offset) = (path.to_owned(), varints.offset());
-                return Err(ReadError::Varint { path, offset, cell: cell(), problem });
-            }
-            None => {
-                let (path, found) = (path.to_owned(), cells.len() as u64);
-                return Err(ReadError::TooFewBlocks { path, found, cells: volume });
-            }
-        };
-        let Some(&Some(id)) = palettes.ids.get(index as usize) else {
-            let (path, entries) = (path.to_owned(), palettes.entries);
-            return Err(ReadError::NotInPalette { path, cell: cell(), index, entries });
-        };
-        cells.push(id);
+    let Varints { mut numbers, bytes, decoded, stop } = data;
+    let missing = |at, index| {
+        let (path, cell, entries) = (path.to_owned(), cell_at(at, size), palettes.entries);
+        ReadError::NotInPalette { path, cell, index, entries }
+    };
+    let cells = numbers.len().min(volume as usize);
+    palettes.resolve(&mut numbers[..cells]).map_err(|at| missing(at, u32::from(numbers[at])))?;
+    let goes_on = numbers.len() as u64 > volume || (numbers.len() as u64 == volume && decoded < bytes);
+    if goes_on {
+        return Err(ReadError::TooManyBlocks { path: path.to_owned(), cells: volume });
     }
-    match varints.left() {
-        0 => Ok(cells),
-        bytes => Err(ReadError::TooManyBlocks { path: path.to_owned(), bytes, cells: volume }),
+    match stop {
+        None if numbers.len() as u64 == volume => Ok(numbers),
+        // Numbers are counted up to a limit that the volume keeps to.
+        None | Some(Stop::Full) => {
+            Err(ReadError::TooFewBlocks { path: path.to_owned(), found: cells as u64, cells: volume })
+        }
+        Some(Stop::Large(index)) => Err(missing(cells, index)),
+        Some(Stop::Broken(problem)) => {
+            let cell = cell_at(cells, size);
+            Err(ReadError::Varint { path: path.to_owned(), offset: decoded, cell, problem })
+        }
     }
 }
 
@@ -115,47 +130,42 @@ fn cell_at(at: usize, size: Cell) -> Cell {
     Cell::new((at % width) as i32, (at / width / length) as i32, (at / width % length) as i32)
 }
 
-/// A grid's blocks as a file holds them.
-pub(super) struct Encoded {
-    /// Indices by block state.
-    pub palette: Compound,
-    pub data: Vec<i8>,
-}
-
-/// The blocks of `grid`, their states numbered in order of first use: what the grid's own palette
-/// holds beside them, and in which order, does not show.
-pub(super) fn encode(grid: &Grid) -> Encoded {
-    let cells = grid.cells().as_standard_layout();
-    let cells = cells.as_slice().expect("the standard layout is contiguous");
+/// A grid's blocks as a file holds them: indices by block state, and the index of each cell.
+///
+/// States are numbered in order of first use: what the grid's own palette holds beside them, and in which order, does not
+/// show. All their properties are written, since readers differ in what they take absent ones for.
+pub(super) fn encode(grid: &Grid) -> (Compound, Outgoing<'_>) {
+    let cells = grid.cells().as_slice().expect("a grid's cells are in the standard layout");
     let states = grid.palette().states();
-    let (indices, used) = number(cells, states.len());
-    let named =
-        used.iter().zip(0..).map(|(&id, index)| (states[usize::from(id)].to_string(), Tag::Int(index)));
-    Encoded { palette: named.collect(), data: indexed(cells, &indices, used.len()) }
-}
-
-/// Indices by palette number, and the numbers used in order of their indices.
-fn number(cells: &[u16], states: usize) -> (Vec<u32>, Vec<u16>) {
-    const UNUSED: u32 = u32::MAX;
-    let mut indices = vec![UNUSED; states];
-    let mut used = Vec::new();
-    for &id in cells {
-        let index = &mut indices[usize::from(id)];
-        if *index == UNUSED {
-            *index = used.len() as u32;
-            used.push(id);
+    let mut palette = Compound::new();
+    let mut table = vec![0; states.len()];
+    for id in used(cells, states.len()) {
+        let state = block::complete(&states[usize::from(id)]).to_string();
+        let next = palette.len() as i32;
+        // States that are one once complete share an index.
+        if let Tag::Int(index) = palette.entry(state).or_insert(Tag::Int(next)) {
+            table[usize::from(id)] = *index as u16;
         }
     }
-    (indices, used)
+    (palette, Outgoing::new(Cow::Borrowed(cells), table, 1))
 }
 
-fn indexed(cells: &[u16], indices: &[u32], used: usize) -> Vec<i8> {
-    if used <= 0x80 {
-        return cells.iter().map(|&id| indices[usize::from(id)] as i8).collect();
+/// The palette numbers that stand in `cells`, in order of first use.
+fn used(cells: &[u16], states: usize) -> Vec<u16> {
+    let mut seen = vec![false; states];
+    let mut used = Vec::new();
+    let mut see = |id: u16| {
+        if !std::mem::replace(&mut seen[usize::from(id)], true) {
+            used.push(id);
+        }
+    };
+    let (runs, rest) = cells.as_chunks::<RUN>();
+    for run in runs {
+        match uniform(run) {
+            Some(id) => see(id),
+            None => run.iter().for_each(|&id| see(id)),
+        }
     }
-    let mut data = Vec::with_capacity(2 * cells.len());
-    for &id in cells {
-        varint::push(&mut data, indices[usize::from(id)]);
-    }
-    data
+    rest.iter().for_each(|&id| see(id));
+    used
 }

@@ -7,63 +7,62 @@
 //! | place of an entity | in the world, where the low corner is at `Offset` | from the low corner |
 
 use super::SchemVersion;
+use super::body::Entry;
 use crate::grid::{Entity, Grid};
-use crate::io::fields::Fields;
 use crate::io::{ReadError, Warning};
-use crate::nbt::{Compound, Tag};
+use crate::nbt::{Compound, Compounds, Part, Tag, View};
 use crate::space::{Bounds, Cell};
 use std::collections::BTreeMap;
 
 /// The game's data by place.
 type BlockEntities = BTreeMap<[i32; 3], Compound>;
 
-/// The block entities of `blocks` by place. `corner` is where the file says its low corner is: some
-/// tools count places from there.
-pub(super) fn read_block_entities(
-    blocks: &Fields,
+/// Block entities by place. `corner` is where the file says its low corner is: some tools count places from there.
+pub(super) fn block_entities(
+    entries: Vec<Entry>,
     bounds: Bounds,
     corner: Cell,
-) -> Result<(BlockEntities, Option<Warning>), ReadError> {
+    warnings: &mut Vec<Warning>,
+) -> Result<BlockEntities, ReadError> {
     let mut block_entities = BTreeMap::new();
     let mut outside = 0;
-    for list in ["TileEntities", "BlockEntities"] {
-        for fields in blocks.list(list)? {
-            let place = Cell::from_array(fields.get("Pos")?);
-            let places = [Some(place), place.checked_sub(corner)];
-            match places.into_iter().flatten().find(|&place| bounds.contains(place)) {
-                None => outside += 1,
-                Some(place) => {
-                    block_entities.insert(place.to_array(), read_data(&fields)?);
-                }
+    for entry in entries {
+        let place = Cell::from_array(entry.fields().get("Pos")?);
+        let places = [Some(place), place.checked_sub(corner)];
+        match places.into_iter().flatten().find(|&place| bounds.contains(place)) {
+            None => outside += 1,
+            Some(place) => {
+                block_entities.insert(place.to_array(), data(entry)?);
             }
         }
     }
-    let warning = (outside > 0).then_some(Warning::BlockEntitiesOutside(outside));
-    Ok((block_entities, warning))
+    warnings.extend((outside > 0).then_some(Warning::BlockEntitiesOutside(outside)));
+    Ok(block_entities)
 }
 
 /// The entities of a schematic. `origin` is where its places count from, seen from its low corner.
-pub(super) fn read_entities(
-    body: &Fields,
+pub(super) fn entities(
+    entries: Vec<Entry>,
     origin: Cell,
-) -> Result<(Vec<Entity>, Option<Warning>), ReadError> {
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<Entity>, ReadError> {
     let mut entities = Vec::new();
-    for fields in body.list("Entities")? {
-        let place = shift(fields.get("Pos")?, -origin.as_dvec3());
-        entities.push(Entity { place, data: read_data(&fields)? });
+    for entry in entries {
+        let place = shift(entry.fields().get("Pos")?, -origin.as_dvec3());
+        entities.push(Entity { place, data: data(entry)? });
     }
     let found = entities.len();
     entities.retain(|entity| entity.data.contains_key("id"));
     let unnamed = found - entities.len();
-    Ok((entities, (unnamed > 0).then_some(Warning::EntitiesUnnamed(unnamed))))
+    warnings.extend((unnamed > 0).then_some(Warning::EntitiesUnnamed(unnamed)));
+    Ok(entities)
 }
 
 /// The data in the game's form: with `id`, without a place.
-fn read_data(fields: &Fields) -> Result<Compound, ReadError> {
-    let mut data = fields.find::<&Compound>("Data")?.unwrap_or(fields.tags).clone();
-    if let Some(id) = fields.find::<&str>("Id")? {
-        data.insert("id".to_owned(), Tag::String(id.to_owned()));
-    }
+fn data(entry: Entry) -> Result<Compound, ReadError> {
+    let id = entry.fields().find::<&str>("Id")?.map(str::to_owned);
+    let mut data = entry.data();
+    data.extend(id.map(|id| ("id".to_owned(), Tag::String(id))));
     for name in ["Id", "Pos", "ContentVersion"] {
         data.remove(name);
     }
@@ -74,37 +73,45 @@ fn shift(place: [f64; 3], by: glam::DVec3) -> [f64; 3] {
     (glam::DVec3::from_array(place) + by).to_array()
 }
 
-/// The block entities of `grid`. Those without an `id` stay away: clients crash on them.
-pub(super) fn write_block_entities(grid: &Grid, version: SchemVersion) -> Tag {
+/// The `named` block entities of `grid`. Those without an `id` stay away: clients crash on them.
+pub(super) fn write_block_entities(grid: &Grid, named: usize, version: SchemVersion) -> Compounds<'_> {
     let entries = grid
         .block_entities
         .iter()
-        .filter_map(|(place, data)| write_data(Tag::IntArray(place.to_vec()), data, version));
-    Tag::List(entries.collect())
+        .filter_map(move |(place, data)| view(Tag::IntArray(place.to_vec()), data, version));
+    Compounds { len: named, each: Box::new(entries) }
 }
 
-pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Option<Tag> {
+/// The entities of `grid`, where there are any with an `id`.
+pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Option<Compounds<'_>> {
     let corner = match version {
         SchemVersion::V2 => grid.metadata.offset,
         SchemVersion::V3 => Cell::ZERO,
     };
-    let entries = grid.metadata.entities.iter().filter_map(|entity| {
+    let entities = &grid.metadata.entities;
+    let entries = entities.iter().filter_map(move |entity| {
         let place = shift(entity.place, corner.as_dvec3()).map(Tag::Double);
-        write_data(Tag::List(place.to_vec()), &entity.data, version)
+        view(Tag::List(place.to_vec()), &entity.data, version)
     });
-    let entries: Vec<Tag> = entries.collect();
-    (!entries.is_empty()).then_some(Tag::List(entries))
+    let len = entities.iter().filter(|entity| entity.data.contains_key("id")).count();
+    (len > 0).then(|| Compounds { len, each: Box::new(entries) })
 }
 
 /// `None` where the data do not say what they are of.
-fn write_data(place: Tag, data: &Compound, version: SchemVersion) -> Option<Tag> {
-    let mut data = data.clone();
-    let id = data.remove("id")?;
+fn view(place: Tag, data: &Compound, version: SchemVersion) -> Option<View<'_>> {
+    let mut id = None;
+    let mut rest = Vec::with_capacity(data.len() + 1);
+    for (name, tag) in data {
+        match name.as_str() {
+            "id" => id = Some(tag),
+            "Id" | "Pos" => {}
+            name => rest.push((name, Part::Tag(tag))),
+        }
+    }
     let mut entry = match version {
-        SchemVersion::V2 => data,
-        SchemVersion::V3 => Compound::from([("Data".to_owned(), Tag::Compound(data))]),
+        SchemVersion::V2 => rest,
+        SchemVersion::V3 => vec![("Data", Part::Compound(rest))],
     };
-    entry.insert("Id".to_owned(), id);
-    entry.insert("Pos".to_owned(), place);
-    Some(Tag::Compound(entry))
+    entry.extend([("Id", Part::Tag(id?)), ("Pos", Part::New(place))]);
+    Some(entry)
 }

@@ -9,12 +9,15 @@
 //! version 2 puts world coordinates there and says it in `Metadata.WEOffsetX` and so on, which count
 //! here wherever they stand. Both are written alike, so that either kind of reader agrees.
 
+mod arrays;
 mod biomes;
 mod blocks;
+mod body;
 mod entities;
 mod read;
 mod write;
 
+pub(super) use arrays::Incoming;
 pub(super) use read::decode;
 pub use write::{SchemVersion, encode_schem};
 
@@ -23,3 +26,26 @@ pub const DEFAULT_DATA_VERSION: i32 = 3465;
 
 /// Where WorldEdit's version 2 keeps the offset, within `Metadata`.
 const WE_OFFSET: [&str; 3] = ["WEOffsetX", "WEOffsetY", "WEOffsetZ"];
+
+/// The tags that some version has, beside its sizes and within `Blocks`. All others are kept as they are.
+const KNOWN: [&str; 18] = [
+    "Biomes",
+    "BiomeData",
+    "BiomePalette",
+    "BiomePaletteMax",
+    "BlockData",
+    "BlockEntities",
+    "Blocks",
+    "DataVersion",
+    "Entities",
+    "Height",
+    "Length",
+    "Metadata",
+    "Offset",
+    "Palette",
+    "PaletteMax",
+    "TileEntities",
+    "Version",
+    "Width",
+];
+const KNOWN_IN_BLOCKS: [&str; 4] = ["BlockEntities", "Data", "Palette", "TileEntities"];

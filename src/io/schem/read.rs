@@ -1,63 +1,74 @@
+use super::arrays::Incoming;
 use super::blocks::{self, Palettes};
+use super::body::{Body, Layout};
 use super::{WE_OFFSET, biomes, entities};
 use crate::grid::{Grid, Metadata};
 use crate::io::error::Size;
-use crate::io::fields::{Extent, Fields};
+use crate::io::fields::{Extent, Fields, FromTag};
+use crate::io::varint::Varints;
 use crate::io::{Limits, ReadError, Warning};
 use crate::nbt::Compound;
 use crate::space::{Bounds, Cell};
 
 /// The grid of a schematic of any version, by where its tags stand: the version it claims is often
-/// absent or wrong.
-pub fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
-    let root = Fields::new("", root);
-    let body = root.inner("Schematic")?.unwrap_or(root);
-    let corner = body.find("Offset")?.map_or(Cell::ZERO, Cell::from_array);
-    let parts = Parts::of(&body, corner)?;
-    let size = size(&body)?;
-    let data = parts.data()?;
-    check_cells(size, &parts.blocks.path(parts.data_key), data, limits)?;
-
+/// absent or wrong. `arrays` has the arrays that `root` lacks.
+pub fn decode(
+    root: Compound,
+    mut arrays: Incoming,
+    limits: &Limits,
+) -> Result<(Grid, Vec<Warning>), ReadError> {
+    let mut body = Body::of(root)?;
     let mut warnings = Vec::new();
-    let palettes = Palettes::read(&parts.blocks)?;
-    warnings.extend(palette_max(&body, &palettes)?);
-    let cells = blocks::decode(&parts.blocks.path(parts.data_key), data, size, &palettes)?;
-    let mut grid = palettes.grid(size, cells);
+    let mut grid = grid(&body, &mut arrays, limits, &mut warnings)?;
+    let fields = body.fields();
+    let corner = corner(&fields)?;
+    grid.metadata = metadata(&fields, corner)?;
+    grid.metadata.biomes = biomes::read(&fields, &mut arrays, grid.size(), &mut warnings)?;
 
-    let (block_entities, warning) = entities::read_block_entities(&parts.blocks, grid.bounds(), corner)?;
-    warnings.extend(warning);
-    grid.block_entities = block_entities;
-    grid.metadata = metadata(&body, corner, size)?;
-    let (entities, warning) = entities::read_entities(&body, parts.origin)?;
-    warnings.extend(warning);
-    grid.metadata.entities = entities;
+    // Where the places of entities count from.
+    let origin = match body.layout() {
+        Layout::Flat => corner,
+        Layout::Nested => Cell::ZERO,
+    };
+    let entries = body.take_entities()?;
+    grid.metadata.entities = entities::entities(entries, origin, &mut warnings)?;
+    let entries = body.take_block_entities()?;
+    grid.block_entities = entities::block_entities(entries, grid.bounds(), corner, &mut warnings)?;
+    grid.metadata.own = body.own();
     Ok((grid, warnings))
 }
 
-/// Where a layout keeps its parts.
-struct Parts<'a> {
-    /// Holds the palette, the indices and the block entities.
-    blocks: Fields<'a>,
-    data_key: &'static str,
-    /// Where the places of entities count from.
-    origin: Cell,
+fn grid(
+    body: &Body,
+    arrays: &mut Incoming,
+    limits: &Limits,
+    warnings: &mut Vec<Warning>,
+) -> Result<Grid, ReadError> {
+    let fields = body.fields();
+    check_version(&fields)?;
+    let size = size(&fields)?;
+    let (blocks, key) = match fields.inner("Blocks")? {
+        Some(blocks) => (blocks, "Data"),
+        None => (fields.clone(), "BlockData"),
+    };
+    let path = blocks.path(key);
+    let data = arrays.find(&blocks, key)?;
+    let data = data.ok_or_else(|| ReadError::Missing { path: path.clone(), expected: <&[i8]>::EXPECTED })?;
+    check_cells(size, &path, &data, limits)?;
+    let palettes = Palettes::read(&blocks)?;
+    warnings.extend(palette_max(&fields, &palettes)?);
+    let cells = blocks::decode(&path, data, size, &palettes)?;
+    Ok(palettes.grid(size, cells))
 }
 
-impl<'a> Parts<'a> {
-    fn of(body: &Fields<'a>, corner: Cell) -> Result<Parts<'a>, ReadError> {
-        if let Some(version) = body.find::<i32>("Version")?
-            && !(1..=3).contains(&version)
-        {
-            return Err(ReadError::Version { path: body.path("Version"), found: version });
-        }
-        Ok(match body.inner("Blocks")? {
-            Some(blocks) => Parts { blocks, data_key: "Data", origin: Cell::ZERO },
-            None => Parts { blocks: body.clone(), data_key: "BlockData", origin: corner },
-        })
-    }
+fn corner(body: &Fields) -> Result<Cell, ReadError> {
+    Ok(body.find("Offset")?.map_or(Cell::ZERO, Cell::from_array))
+}
 
-    fn data(&self) -> Result<&'a [i8], ReadError> {
-        self.blocks.get(self.data_key)
+fn check_version(body: &Fields) -> Result<(), ReadError> {
+    match body.find::<i32>("Version")? {
+        None | Some(1..=3) => Ok(()),
+        Some(found) => Err(ReadError::Version { path: body.path("Version"), found }),
     }
 }
 
@@ -69,12 +80,12 @@ fn size(body: &Fields) -> Result<Cell, ReadError> {
     Ok(Cell::new(extent("Width")?, extent("Height")?, extent("Length")?))
 }
 
-/// Nothing is allocated for a size whose bytes are not there: every block takes one at least.
-fn check_cells(size: Cell, path: &str, data: &[i8], limits: &Limits) -> Result<(), ReadError> {
+/// A size is not believed without its bytes: every block takes one at least.
+fn check_cells(size: Cell, path: &str, data: &Varints, limits: &Limits) -> Result<(), ReadError> {
     let cells = Bounds::of_size(size).volume();
     let size = Size(size);
-    if cells > data.len() as u64 {
-        return Err(ReadError::TooFewBytes { size, cells, path: path.to_owned(), bytes: data.len() });
+    if cells > data.bytes as u64 {
+        return Err(ReadError::TooFewBytes { size, cells, path: path.to_owned(), bytes: data.bytes });
     }
     match cells > limits.max_cells {
         true => Err(ReadError::TooManyCells { size, cells, limit: limits.max_cells }),
@@ -88,12 +99,11 @@ fn palette_max(body: &Fields, palettes: &Palettes) -> Result<Option<Warning>, Re
     Ok(said.filter(|&said| said != found as i32).map(|said| Warning::PaletteMax { said, found }))
 }
 
-fn metadata(body: &Fields, corner: Cell, size: Cell) -> Result<Metadata, ReadError> {
+fn metadata(body: &Fields, corner: Cell) -> Result<Metadata, ReadError> {
     let mut tags = body.find::<&Compound>("Metadata")?.cloned().unwrap_or_default();
     let offset = worldedit_offset(&Fields::new(body.path("Metadata"), &tags))?.unwrap_or(corner);
     tags.retain(|name, _| !WE_OFFSET.contains(&name.as_str()));
-    let data_version = body.find("DataVersion")?;
-    Ok(Metadata { data_version, offset, tags, biomes: biomes::read(body, size)?, ..Metadata::default() })
+    Ok(Metadata { data_version: body.find("DataVersion")?, offset, tags, ..Metadata::default() })
 }
 
 fn worldedit_offset(metadata: &Fields) -> Result<Option<Cell>, ReadError> {

@@ -3,9 +3,10 @@ use super::joint::Joint;
 use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::{DEFAULT_DATA_VERSION, Encoded, Lost, WriteError, gzip, states};
-use crate::nbt::{self, Compound, Tag};
+use crate::nbt::{self, Compound, Compounds, Endian, Part, Source, Tag, View};
 use crate::space::Cell;
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::io::{self, Write};
 
 /// The file of `grid` as a structure of the game, with a palette for each variant. The same grid always gives
 /// the same bytes.
@@ -19,13 +20,38 @@ pub fn encode_structure(grid: &Grid) -> Result<Encoded, WriteError> {
     let joint = Joint::of(&looks);
     let used = used(grid, &joint);
     let indices: FxHashMap<u32, i32> = used.iter().copied().zip(0..).collect();
-    let blocks = written(grid, &joint).map(|(place, number)| block(grid, place, indices[&number]));
     let palettes = (0..looks.len())
         .map(|look| Tag::List(used.iter().map(|&number| states::write(joint.state(number, look))).collect()));
     let mut root = root(grid);
-    root.insert("blocks".to_owned(), Tag::List(blocks.collect()));
+    root.insert("blocks".to_owned(), Tag::List(Vec::new()));
     root.extend(palette_tag(palettes.collect()));
-    Ok(Encoded { bytes: gzip::pack(&nbt::write("", &root)?)?, lost: lost(grid) })
+    let blocks = Blocks { grid, joint: &joint, indices };
+    let bytes = gzip::pack(|out| nbt::write_to(out, Endian::Big, "", &root, &blocks))?;
+    Ok(Encoded { bytes, lost: lost(grid) })
+}
+
+/// The list of the blocks, which is made as it is written: each is a compound of its own.
+struct Blocks<'a> {
+    grid: &'a Grid,
+    joint: &'a Joint,
+    /// Those in the file's palettes, by the numbers of combinations.
+    indices: FxHashMap<u32, i32>,
+}
+
+impl Source for Blocks<'_> {
+    fn len(&self, _: &str) -> Option<usize> {
+        None
+    }
+
+    fn write(&self, _: &str, _: &mut dyn Write) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn compounds(&self, path: &str) -> Option<Compounds<'_>> {
+        let each = || written(self.grid, self.joint);
+        let block = |(place, number)| block(self.grid, place, self.indices[&number]);
+        (path == "blocks").then(|| Compounds { len: each().count(), each: Box::new(each().map(block)) })
+    }
 }
 
 /// The variants that can stand in the place of `grid`.
@@ -76,12 +102,13 @@ fn used(grid: &Grid, joint: &Joint) -> Vec<u32> {
     written(grid, joint).map(|(_, number)| number).filter(|&number| seen.insert(number)).collect()
 }
 
-fn block(grid: &Grid, place: Cell, index: i32) -> Tag {
+fn block(grid: &Grid, place: Cell, index: i32) -> View<'_> {
     let place = place.to_array();
-    let mut block = Compound::from([("pos".to_owned(), ints(place)), ("state".to_owned(), Tag::Int(index))]);
+    let mut block = vec![("pos", Part::New(ints(place))), ("state", Part::New(Tag::Int(index)))];
     let nbt = grid.block_entities.get(&place);
-    block.extend(nbt.map(|nbt| ("nbt".to_owned(), Tag::Compound(nbt.clone()))));
-    Tag::Compound(block)
+    let tags = nbt.map(|nbt| nbt.iter().map(|(name, tag)| (name.as_str(), Part::Tag(tag))).collect());
+    block.extend(tags.map(|tags| ("nbt", Part::Compound(tags))));
+    block
 }
 
 fn palette_tag(mut palettes: Vec<Tag>) -> Option<(String, Tag)> {
