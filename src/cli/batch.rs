@@ -16,7 +16,7 @@ pub struct Batch {
     /// What to read, or - for standard input. Its content tells what it is, not its name
     #[arg(required = true)]
     pub inputs: Vec<PathBuf>,
-    /// What to write: .schem, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
+    /// What to write: .schem, .litematic, .nbt, .vox, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
     /// input without its ending, and for its number
     pub output: Template,
     #[command(flatten)]

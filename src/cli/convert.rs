@@ -2,7 +2,8 @@ use super::batch::Batch;
 use super::failure::Failure;
 use super::input::{self, Reading};
 use super::part::Part;
-use crate::io::{Content, Scale};
+use crate::io::{Jigsaws, Options, Scale};
+use clap::ValueEnum;
 
 /// Convert buildings from one kind of file to another
 ///
@@ -10,24 +11,39 @@ use crate::io::{Content, Scale};
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
-  vox convert old.schem new.schem --schem-version 3
-  vox convert *.schem 'out/{name}.obj'
+  vox convert old.schematic new.schem
+  vox convert *.litematic 'out/{name}.schem' --mc-version 1.20.1
   vox convert house.schem house-here.schem --anchor door --air void
-  vox convert castle.schem 'parts/castle.schem' --split 48")]
+  vox convert castle.schem 'data/mine/structure/castle.nbt' --split 48
+  vox convert saves/world town.schem --box 100,60,-20,180,120,40
+  vox convert house.schem new-world --format mca --at 100,64,-20")]
 pub struct Args {
     #[command(flatten)]
     batch: Batch,
     #[command(flatten)]
     part: Part,
+    /// What becomes of the jigsaw blocks of a structure
+    #[arg(long, value_enum, default_value = "final")]
+    jigsaw: JigsawArg,
     /// Blocks per unit of OBJ coordinates
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum JigsawArg {
+    /// The blocks that they leave behind, as in the game
+    Final,
+    /// They stay
+    Keep,
+}
+
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    let reading = Reading { scale: args.scale.unwrap_or_default(), ..Reading::default() };
-    args.batch.each(&reading, |name, content| match content {
-        Content::Grid(grid) => Ok(Content::Grid(args.part.of(name, grid)?)),
-        boxes => Ok(boxes),
-    })
+    let jigsaws = match args.jigsaw {
+        JigsawArg::Final => Jigsaws::Final,
+        JigsawArg::Keep => Jigsaws::Keep,
+    };
+    let options = Options { scale: args.scale.unwrap_or_default(), jigsaws, ..Options::default() };
+    let reading = args.part.read_by(Reading { options, ..Reading::default() });
+    args.batch.each(&reading, |_, content| Ok(content))
 }

@@ -43,7 +43,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
         return Err(failure.hint("say where the grammar goes: `-o village.grammar`"));
     }
     let paths = input::paths(&args.examples)?;
-    let reading = Reading { scale: args.scale.unwrap_or_default(), ..Reading::default() };
+    let reading = Reading::scaled(args.scale);
     let progress = Progress::new(paths.len());
     let mut examples = Vec::with_capacity(paths.len());
     for path in &paths {

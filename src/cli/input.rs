@@ -1,12 +1,14 @@
 //! Reading what the command line names: files, patterns and standard input.
 
 use super::failure::Failure;
+use super::part;
 use super::report::{self, Source};
 use crate::grammar::{self, Checked, Severity};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
-use crate::io::{self, About, Content, Decoded, Limits, Options, ReadError, Scale};
+use crate::io::{self, About, Content, Decoded, Format, Limits, Options, ReadError, Scale};
 use crate::run::{Library, RunError};
+use crate::space::Bounds;
 use std::path::{Path, PathBuf};
 
 /// The files that the arguments name: a pattern that the shell left alone is looked up here.
@@ -55,11 +57,20 @@ pub fn is_stdio(path: &Path) -> bool {
 }
 
 /// What to read a file with.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Reading {
     pub limits: Limits,
-    /// Of labelled boxes.
-    pub scale: Scale,
+    pub options: Options,
+    /// The box to take.
+    pub part: Option<Bounds>,
+}
+
+impl Reading {
+    /// With labelled boxes at this scale.
+    pub fn scaled(scale: Option<Scale>) -> Reading {
+        let options = Options { scale: scale.unwrap_or_default(), ..Options::default() };
+        Reading { options, ..Reading::default() }
+    }
 }
 
 /// A scale on the command line.
@@ -71,15 +82,32 @@ pub fn scale(text: &str) -> Result<Scale, String> {
 /// The content of a building's file. What reading it had to put right is told.
 pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
     let name = name(path);
-    let decoded = decoded(&name, &bytes(path, reading.limits.max_bytes)?, reading)?;
+    let decoded = match is_world(path) {
+        true => world(path, reading)?,
+        false => decoded(&name, &bytes(path, reading.limits.max_bytes)?, reading)?,
+    };
     decoded.warnings.iter().for_each(|warning| report::warning(&format!("{name}: {warning}")));
     Ok(decoded.content)
 }
 
+/// Worlds are many files: where one lies tells where the others are.
+fn is_world(path: &Path) -> bool {
+    path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mca"))
+}
+
+fn world(path: &Path, reading: &Reading) -> Result<Decoded, Failure> {
+    io::read_world(path, reading.part, &reading.limits).map_err(|error| Failure::read(&name(path), &error))
+}
+
 fn decoded(name: &str, bytes: &[u8], reading: &Reading) -> Result<Decoded, Failure> {
-    let decoded =
-        io::decode_with(bytes, &reading.limits, &Options { scale: reading.scale, ..Options::default() });
-    decoded.map_err(|error| Failure::read(name, &error))
+    let decoded = io::decode_with(bytes, &reading.limits, &reading.options);
+    let decoded = decoded.map_err(|error| Failure::read(name, &error))?;
+    match (reading.part, decoded) {
+        (Some(bounds), Decoded { content: Content::Grid(grid), warnings }) => {
+            Ok(Decoded { content: Content::Grid(part::boxed(name, &grid, bounds)?), warnings })
+        }
+        (_, whole) => Ok(whole),
+    }
 }
 
 /// All that can be told of a building's file.
@@ -90,6 +118,10 @@ pub struct Survey {
 
 pub fn survey(path: &Path, reading: &Reading) -> Result<Survey, Failure> {
     let name = name(path);
+    if is_world(path) {
+        let about = About { format: Format::Region, version: None };
+        return Ok(Survey { about, decoded: world(path, reading)? });
+    }
     let bytes = bytes(path, reading.limits.max_bytes)?;
     let about = io::about(&bytes, &reading.limits).map_err(|error| Failure::read(&name, &error))?;
     Ok(Survey { about, decoded: decoded(&name, &bytes, reading)? })

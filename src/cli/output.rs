@@ -2,13 +2,15 @@
 
 use super::failure::{Failure, io_text};
 use super::input::is_stdio;
+use super::part::CellArg;
 use super::report;
-use crate::block::{self, BlockState};
+use crate::block::{self, BlockState, Newer, Version};
 use crate::grid::{Anchor, Grid, LabelledBox};
-use crate::io::{self, Encoded, Lost, SchemVersion, Staged, WriteError};
+use crate::io::{self, Encoded, EncodedRegions, LitematicVersion, Lost, SchemVersion, Staged, WriteError};
 use crate::space::Cell;
 use crate::view;
 use clap::ValueEnum;
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -17,10 +19,34 @@ use std::path::{Path, PathBuf};
 pub enum Kind {
     /// Sponge schematic
     Schem,
+    /// Litematica schematic
+    Litematic,
+    /// Structure of the game
+    #[value(name = "nbt")]
+    Structure,
+    /// MagicaVoxel model, coloured voxels only
+    Vox,
+    /// Region files of a world; the output is its folder
+    Mca,
     /// Wavefront OBJ
     Obj,
     /// Picture
     Png,
+}
+
+impl Kind {
+    /// The kind of a file by the ending of its name.
+    fn of_ending(ending: &str) -> Option<Kind> {
+        match ending {
+            "schem" => Some(Kind::Schem),
+            "litematic" => Some(Kind::Litematic),
+            "nbt" => Some(Kind::Structure),
+            "vox" => Some(Kind::Vox),
+            "obj" => Some(Kind::Obj),
+            "png" => Some(Kind::Png),
+            _ => None,
+        }
+    }
 }
 
 /// How a building is written.
@@ -32,6 +58,15 @@ pub struct Writing {
     /// The version of .schem files: 2 opens everywhere, 3 in WorldEdit 7.3 and later
     #[arg(long, value_name = "N", default_value = "2", value_parser = schem_version)]
     pub schem_version: SchemVersion,
+    /// The version of .litematic files: 6 opens since Minecraft 1.18, 7 since 1.20.5
+    #[arg(long, value_name = "N", default_value = "6", value_parser = litematic_version)]
+    pub litematic_version: LitematicVersion,
+    /// The version of the game to write blocks for, as in 1.20.1; if not given, that of the input
+    #[arg(long, value_name = "VERSION", value_parser = game_version)]
+    pub mc_version: Option<Version>,
+    /// Where in the world the low corner of the building goes, for region files
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,64,0", allow_hyphen_values = true)]
+    pub at: CellArg,
     /// What air does to the world where the building is pasted
     #[arg(long, value_enum, default_value = "keep")]
     pub air: Air,
@@ -73,6 +108,19 @@ fn schem_version(text: &str) -> Result<SchemVersion, String> {
     }
 }
 
+fn litematic_version(text: &str) -> Result<LitematicVersion, String> {
+    match text {
+        "6" => Ok(LitematicVersion::V6),
+        "7" => Ok(LitematicVersion::V7),
+        _ => Err("vox writes version 6 or 7".to_owned()),
+    }
+}
+
+fn game_version(text: &str) -> Result<Version, String> {
+    let newest = Version::newest();
+    Version::named(text).ok_or_else(|| format!("expected a version from 1.13 to {newest}, as in 1.20.1"))
+}
+
 impl Writing {
     /// The kind of a file by what was asked for, or by its ending.
     pub fn kind(&self, path: &Path) -> Result<Kind, Failure> {
@@ -80,16 +128,10 @@ impl Writing {
             return Ok(kind);
         }
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("").to_ascii_lowercase();
-        match ending.as_str() {
-            "schem" => Ok(Kind::Schem),
-            "obj" => Ok(Kind::Obj),
-            "png" => Ok(Kind::Png),
-            "" if is_stdio(path) => Ok(Kind::Schem),
-            _ => {
-                let failure =
-                    Failure::of_file(&path.display().to_string(), "vox cannot write this kind of file");
-                Err(failure.hint("name it .schem, .obj or .png, or say `--format schem`"))
-            }
+        match Kind::of_ending(&ending) {
+            Some(kind) => Ok(kind),
+            None if is_stdio(path) => Ok(Kind::Schem),
+            None => Err(unknown_kind(path, &ending)),
         }
     }
 
@@ -106,7 +148,7 @@ impl Writing {
         for (number, bounds) in grid.boxes(edge) {
             let (piece, lost) = self.encoded(kind, &piece_path(path, number)?, &grid.cropped(bounds))?;
             outputs.extend(piece);
-            all_lost.extend(lost);
+            all_lost.extend(lost.into_iter().filter_map(|lost| of_whole(lost, &grid)));
         }
         all_lost.dedup();
         tell_lost(&name, &all_lost);
@@ -125,6 +167,9 @@ impl Writing {
                 .anchor(Anchor::Door)
                 .map_err(|error| failed(&error).hint("`--anchor center` stands you in the middle"))?,
         }
+        if let Some(version) = self.mc_version {
+            to_version(name, &mut grid, version)?;
+        }
         if self.air == Air::Void {
             let void = BlockState::structure_void();
             let change = |old: &BlockState| if old.is_nothing() { void.clone() } else { old.clone() };
@@ -141,12 +186,26 @@ impl Writing {
         };
         match kind {
             Kind::Schem => one(io::encode_schem(grid, self.schem_version)),
+            Kind::Litematic => one(io::encode_litematic(grid, self.litematic_version)),
+            Kind::Structure => one(io::encode_structure(grid)),
+            Kind::Vox => one(io::encode_vox(grid, block::color)),
+            Kind::Mca => regions(path, grid, self.at.0),
             Kind::Obj => Ok((mesh(path, grid), Vec::new())),
             Kind::Png => {
                 let drawn = view::isometric(grid, &view::ViewOptions::default());
                 Ok((picture(path, &drawn)?, Vec::new()))
             }
         }
+    }
+}
+
+fn unknown_kind(path: &Path, ending: &str) -> Failure {
+    let name = path.display().to_string();
+    match ending {
+        "mca" => Failure::of_file(&name, "region files are written into the folder of a world")
+            .hint("name a folder, and say `--format mca --at 100,64,-20`"),
+        _ => Failure::of_file(&name, "vox cannot write this kind of file")
+            .hint("name it .schem, .litematic, .nbt, .vox, .obj or .png, or say `--format schem`"),
     }
 }
 
@@ -163,6 +222,53 @@ fn forget_world(name: &str, grid: &mut Grid) {
         ));
         grid.metadata.offset = Cell::ZERO;
     }
+}
+
+/// What of the whole build is lost where `lost` is of one of its pieces: where a piece lies is in its name.
+fn of_whole(lost: Lost, grid: &Grid) -> Option<Lost> {
+    let offset = grid.metadata.offset;
+    match lost {
+        Lost::Offset(_) => (offset != Cell::ZERO).then_some(Lost::Offset(offset)),
+        other => Some(other),
+    }
+}
+
+/// Brings the blocks to another version of the game, or names those that it does not have.
+fn to_version(name: &str, grid: &mut Grid, to: Version) -> Result<(), Failure> {
+    let from = grid.metadata.data_version.map_or(Some(Version::newest()), Version::of_data);
+    let from = from.or(Version::all().next()).unwrap_or(to);
+    let builds = std::iter::once(&*grid).chain(&grid.variants);
+    let states = builds.flat_map(|build| build.counts()).map(|(state, _)| state);
+    let newer = states.filter_map(|state| block::translated(state, from, to).err());
+    let newer: BTreeSet<String> =
+        newer.map(|Newer { state, needs }| format!("{} ({needs})", state.short_name())).collect();
+    if !newer.is_empty() {
+        let names = newer.into_iter().collect::<Vec<String>>().join(", ");
+        let failure = Failure::of_file(name, format!("Minecraft {to} does not have {names}"));
+        return Err(failure.hint("put others in their place with `vox replace`"));
+    }
+    let change = |old: &BlockState| block::translated(old, from, to).unwrap_or_else(|_| old.clone());
+    grid.map_states(change).map_err(|error| Failure::of_file(name, error))?;
+    grid.metadata.data_version = Some(to.data_version());
+    Ok(())
+}
+
+/// The region files of a grid in the folder of a world. Those that are there hold other chunks, and stay.
+fn regions(folder: &Path, grid: &Grid, at: Cell) -> Result<(Vec<Output>, Vec<Lost>), Failure> {
+    let encoded = io::encode_regions(grid, at);
+    let EncodedRegions { files, lost } =
+        encoded.map_err(|error| Failure::write(&folder.display().to_string(), &error))?;
+    let mut outputs = Vec::new();
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        if path.exists() {
+            let name = path.display().to_string();
+            let failure = Failure::of_file(&name, "this part of the world is there, and is not overwritten");
+            return Err(failure.hint("choose a new folder, or another place with `--at`"));
+        }
+        outputs.push(Output::new(&path, bytes));
+    }
+    Ok((outputs, lost))
 }
 
 /// `house.schem` becomes `house_x0_y0_z1.schem`.

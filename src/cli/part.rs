@@ -1,9 +1,30 @@
 //! Which part of a building is meant.
 
 use super::failure::Failure;
+use super::input::Reading;
 use crate::grid::Grid;
+use crate::io::Options;
 use crate::space::{Bounds, Cell};
 use std::str::FromStr;
+
+/// A place on the command line: `100,64,-20`.
+#[derive(Clone, Copy, Debug)]
+pub struct CellArg(pub Cell);
+
+impl FromStr for CellArg {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<CellArg, String> {
+        match numbers(text).as_deref() {
+            Some(&[x, y, z]) => Ok(CellArg(Cell::new(x, y, z))),
+            _ => Err("expected a place, as in 100,64,-20".to_owned()),
+        }
+    }
+}
+
+fn numbers(text: &str) -> Option<Vec<i32>> {
+    text.split(',').map(|number| number.trim().parse().ok()).collect()
+}
 
 /// A box on the command line: `0,0,0,8,6,11`, two corners that are both inside.
 #[derive(Clone, Copy, Debug)]
@@ -13,8 +34,7 @@ impl FromStr for BoxArg {
     type Err = String;
 
     fn from_str(text: &str) -> Result<BoxArg, String> {
-        let numbers: Option<Vec<i32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-        let Some(&[x, y, z, x2, y2, z2]) = numbers.as_deref() else {
+        let Some(&[x, y, z, x2, y2, z2]) = numbers(text).as_deref() else {
             return Err("expected two corners, as in 0,0,0,8,6,11".to_owned());
         };
         let (a, b) = (Cell::new(x, y, z), Cell::new(x2, y2, z2));
@@ -28,22 +48,17 @@ pub struct Part {
     /// Take one region of a file that has several, by its name
     #[arg(long, value_name = "NAME")]
     region: Option<String>,
-    /// Take the box between two corners, which are both inside, counted from the low corner of the building
+    /// Take the box between two corners, which are both inside, counted from the low corner of the building; in a
+    /// world, by its own coordinates
     #[arg(long = "box", value_name = "X,Y,Z,X,Y,Z", allow_hyphen_values = true)]
     bounds: Option<BoxArg>,
 }
 
 impl Part {
-    /// The part of `grid` that is asked for. `name` is that of the file it came from.
-    pub fn of(&self, name: &str, grid: Grid) -> Result<Grid, Failure> {
-        let grid = match &self.region {
-            None => grid,
-            Some(region) => grid.cropped(region_bounds(name, &grid, region)?),
-        };
-        match self.bounds {
-            None => Ok(grid),
-            Some(BoxArg(bounds)) => boxed(name, &grid, bounds),
-        }
+    /// Adds what is asked for to `reading`.
+    pub fn read_by(&self, reading: Reading) -> Reading {
+        let options = Options { region: self.region.clone(), ..reading.options };
+        Reading { options, part: self.bounds.map(|bounds| bounds.0), ..reading }
     }
 }
 
@@ -55,17 +70,4 @@ pub fn boxed(name: &str, grid: &Grid, bounds: Bounds) -> Result<Grid, Failure> {
         return Err(failure.hint(format!("the building goes from 0,0,0 to {},{},{}", last.x, last.y, last.z)));
     }
     Ok(grid.cropped(bounds))
-}
-
-fn region_bounds(name: &str, grid: &Grid, region: &str) -> Result<Bounds, Failure> {
-    let regions = &grid.metadata.regions;
-    if let Some(found) = regions.iter().find(|known| known.name == region) {
-        return Ok(found.bounds);
-    }
-    let names: Vec<String> = regions.iter().map(|region| format!("`{}`", region.name)).collect();
-    let failure = Failure::of_file(name, format!("there is no region `{region}`"));
-    Err(failure.hint(match names.is_empty() {
-        true => "this file is one whole".to_owned(),
-        false => format!("its regions are {}", names.join(", ")),
-    }))
 }

@@ -24,7 +24,7 @@ The name of a block stands for that block only, with properties for those states
 pub struct Args {
     /// What to read: a file, a pattern in quotes, or - for standard input
     input: PathBuf,
-    /// What to write: .schem, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
+    /// What to write: .schem, .litematic, .nbt, .vox, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
     /// input without its ending, and for its number
     output: Template,
     /// What to replace by what: oak=spruce

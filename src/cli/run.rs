@@ -26,7 +26,7 @@ Examples:
 pub struct Args {
     /// The grammar file, or - for standard input
     grammar: PathBuf,
-    /// Where to write: .schem, .obj or .png. {seed} and {number} stand for the seed and the number of each building
+    /// Where to write: .schem, .litematic, .nbt, .vox, .obj or .png. {seed} and {number} stand for the seed and the number of each building
     #[arg(short, long, value_name = "FILE")]
     output: Template,
     /// The size of the start scope along the grammar's x, y and z; otherwise one that the grammar states

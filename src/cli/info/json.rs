@@ -1,5 +1,6 @@
 use super::tags;
 use super::{biomes, block_entities, entities, labels};
+use crate::block::Version;
 use crate::cli::input::Survey;
 use crate::grid::{Grid, LabelledBoxes, Region};
 use crate::io::Content;
@@ -31,6 +32,7 @@ fn of_grid(grid: &Grid) -> Map<String, Value> {
         "size": grid.size().to_array(),
         "blocks": grid.blocks(),
         "data_version": metadata.data_version,
+        "game_version": metadata.data_version.and_then(Version::of_data).map(Version::name),
         "offset": metadata.offset.to_array(),
         "metadata": tags::compound(&metadata.tags),
         "other_tags": own,

@@ -32,7 +32,7 @@ pub struct Args {
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    let reading = Reading { scale: args.scale.unwrap_or_default(), ..Reading::default() };
+    let reading = Reading::scaled(args.scale);
     let mut failed = false;
     for path in input::paths(&args.files)? {
         match tell(&path, args, &reading) {

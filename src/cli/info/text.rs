@@ -1,5 +1,6 @@
 use super::tags;
 use super::{Counts, biomes, block_entities, entities, format_name, labels};
+use crate::block::Version;
 use crate::cli::input::Survey;
 use crate::grid::{Grid, LabelledBoxes};
 use crate::io::{About, Content};
@@ -22,13 +23,19 @@ fn format(about: &About) -> String {
     format!("{}{version}", format_name(about.format))
 }
 
+/// `3465 (Minecraft 1.20.1)`
+fn game(data_version: i32) -> String {
+    let name = Version::of_data(data_version).map_or("before 1.13".to_owned(), |version| version.to_string());
+    format!("{data_version} (Minecraft {name})")
+}
+
 fn line(text: &mut String, label: &str, value: &str) {
     let _ = writeln!(text, "  {label:<15}{value}");
 }
 
 fn of_grid(text: &mut String, grid: &Grid, notes: &[String]) {
     let metadata = &grid.metadata;
-    let version = metadata.data_version.map_or("not said".to_owned(), |version| version.to_string());
+    let version = metadata.data_version.map_or("not said".to_owned(), game);
     line(text, "size", &size(grid.size()));
     line(text, "blocks", &format!("{} of {} cells", grid.blocks(), grid.bounds().volume()));
     line(text, "data version", &version);
