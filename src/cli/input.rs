@@ -6,7 +6,7 @@ use super::report::{self, Source};
 use crate::grammar::{self, Checked, Severity};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
-use crate::io::{self, About, Content, Decoded, Format, Limits, Options, ReadError, Scale};
+use crate::io::{self, Content, Decoded, Limits, Options, ReadError, Scale};
 use crate::run::{Library, RunError};
 use crate::space::Bounds;
 use std::path::{Path, PathBuf};
@@ -81,50 +81,33 @@ pub fn scale(text: &str) -> Result<Scale, String> {
 
 /// The content of a building's file. What reading it had to put right is told.
 pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
-    let name = name(path);
-    let decoded = match is_world(path) {
-        true => world(path, reading)?,
-        false => decoded(&name, &bytes(path, reading.limits.max_bytes)?, reading)?,
-    };
+    let (name, decoded) = (name(path), decoded(path, reading)?);
     decoded.warnings.iter().for_each(|warning| report::warning(&format!("{name}: {warning}")));
     Ok(decoded.content)
 }
 
-/// Worlds are many files: where one lies tells where the others are.
-fn is_world(path: &Path) -> bool {
-    path.is_dir() || path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mca"))
+/// All that can be told of a building's file.
+pub fn decoded(path: &Path, reading: &Reading) -> Result<Decoded, Failure> {
+    if path.is_dir() {
+        return world(path, reading);
+    }
+    let (name, bytes) = (name(path), bytes(path, reading.limits.max_bytes)?);
+    // Worlds are many files: where one lies tells where the others are.
+    if io::is_region(&bytes) && !is_stdio(path) {
+        return world(path, reading);
+    }
+    let decoded = io::decode_with(&bytes, &reading.limits, &reading.options);
+    let decoded = decoded.map_err(|error| Failure::read(&name, &error))?;
+    match (reading.part, decoded.content) {
+        (Some(bounds), Content::Grid(grid)) => {
+            Ok(Decoded { content: Content::Grid(part::boxed(&name, &grid, bounds)?), ..decoded })
+        }
+        (_, content) => Ok(Decoded { content, ..decoded }),
+    }
 }
 
 fn world(path: &Path, reading: &Reading) -> Result<Decoded, Failure> {
     io::read_world(path, reading.part, &reading.limits).map_err(|error| Failure::read(&name(path), &error))
-}
-
-fn decoded(name: &str, bytes: &[u8], reading: &Reading) -> Result<Decoded, Failure> {
-    let decoded = io::decode_with(bytes, &reading.limits, &reading.options);
-    let decoded = decoded.map_err(|error| Failure::read(name, &error))?;
-    match (reading.part, decoded) {
-        (Some(bounds), Decoded { content: Content::Grid(grid), warnings }) => {
-            Ok(Decoded { content: Content::Grid(part::boxed(name, &grid, bounds)?), warnings })
-        }
-        (_, whole) => Ok(whole),
-    }
-}
-
-/// All that can be told of a building's file.
-pub struct Survey {
-    pub about: About,
-    pub decoded: Decoded,
-}
-
-pub fn survey(path: &Path, reading: &Reading) -> Result<Survey, Failure> {
-    let name = name(path);
-    if is_world(path) {
-        let about = About { format: Format::Region, version: None };
-        return Ok(Survey { about, decoded: world(path, reading)? });
-    }
-    let bytes = bytes(path, reading.limits.max_bytes)?;
-    let about = io::about(&bytes, &reading.limits).map_err(|error| Failure::read(&name, &error))?;
-    Ok(Survey { about, decoded: decoded(&name, &bytes, reading)? })
 }
 
 /// The blocks of a file; labelled boxes have none.

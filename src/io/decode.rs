@@ -3,7 +3,7 @@ use super::{
     mcstructure, obj, region, schem, structure,
 };
 use crate::grid::{Grid, LabelledBoxes};
-use crate::nbt::{self, Compound, Endian};
+use crate::nbt::{self, Compound, Endian, Kept, Sink};
 use std::borrow::Cow;
 use std::io::{self, BufRead, BufReader, Read};
 
@@ -18,6 +18,7 @@ pub enum Content {
 /// What a file holds, and what reading it had to put right.
 #[derive(Clone, Debug)]
 pub struct Decoded {
+    pub about: About,
     pub content: Content,
     pub warnings: Vec<Warning>,
 }
@@ -42,17 +43,17 @@ pub fn decode_with(bytes: &[u8], limits: &Limits, options: &Options) -> Result<D
 
 /// The content of a format that is big-endian NBT.
 fn decode_tags(format: Format, tags: Tags, limits: &Limits, options: &Options) -> Result<Decoded, ReadError> {
-    let root = &tags.root;
+    let (about, root) = (About::of_tags(format, &tags.root), &tags.root);
     let (grid, mut warnings) = match format {
-        Format::Schem => schem::decode(tags.root, tags.arrays, limits)?,
+        Format::Schem => schem::decode(tags.root, tags.long.arrays, limits)?,
         Format::Litematic => litematic::decode(root, limits, options.region.as_deref())?,
-        Format::Structure => structure::decode(root, limits, options.jigsaws)?,
+        Format::Structure => structure::decode(root, tags.long.blocks, limits, options.jigsaws)?,
         Format::Mcedit => mcedit::decode(root, limits)?,
         Format::Blueprint => blueprint::decode(root, limits)?,
         _ => return Err(ReadError::Unreadable(format)),
     };
     warnings.extend((tags.trailing > 0).then_some(Warning::Trailing(tags.trailing)));
-    Ok(of_grid((grid, warnings)))
+    Ok(Decoded { about, content: Content::Grid(grid), warnings })
 }
 
 fn decode_bytes(
@@ -61,34 +62,24 @@ fn decode_bytes(
     limits: &Limits,
     options: &Options,
 ) -> Result<Decoded, ReadError> {
-    match format {
-        Format::Mcstructure => mcstructure::decode(plain, limits).map(of_grid),
-        Format::Axiom => axiom::decode(plain, limits).map(of_grid),
-        Format::MagicaVoxel => magica::decode(plain, limits).map(of_grid),
-        Format::Region => region::decode(plain, limits).map(of_grid),
+    let about = About { format, version: None };
+    let (grid, warnings) = match format {
+        Format::Mcstructure => mcstructure::decode(plain, limits)?,
+        Format::Axiom => axiom::decode(plain, limits)?,
+        Format::MagicaVoxel => magica::decode(plain, limits)?,
+        Format::Region => region::decode(plain, limits)?,
         Format::Obj => {
             let boxes = obj::decode_obj_boxes(plain, options.scale)?;
-            Ok(Decoded { content: Content::Boxes(boxes), warnings: Vec::new() })
+            return Ok(Decoded { about, content: Content::Boxes(boxes), warnings: Vec::new() });
         }
-        _ => Err(ReadError::Unreadable(format)),
-    }
-}
-
-fn of_grid((grid, warnings): (Grid, Vec<Warning>)) -> Decoded {
-    Decoded { content: Content::Grid(grid), warnings }
+        _ => return Err(ReadError::Unreadable(format)),
+    };
+    Ok(Decoded { about, content: Content::Grid(grid), warnings })
 }
 
 /// What format the bytes of a file are in.
 pub fn sniff(bytes: &[u8], limits: &Limits) -> Result<Format, ReadError> {
     open(bytes, limits).map(|opened| opened.format())
-}
-
-/// What the bytes of a file say of how they are written.
-pub fn about(bytes: &[u8], limits: &Limits) -> Result<About, ReadError> {
-    open(bytes, limits).map(|opened| match opened {
-        Opened::Tags(format, tags) => About::of_tags(format, &tags.root),
-        Opened::Bytes(format, _) => About { format, version: None },
-    })
 }
 
 /// A file as far as all formats are alike.
@@ -109,9 +100,33 @@ impl Opened<'_> {
 
 struct Tags {
     root: Compound,
-    arrays: schem::Incoming,
+    long: Long,
     /// The bytes after the root's end.
     trailing: u64,
+}
+
+/// What is too long for a tree of tags, of formats that are told apart only when all tags are there.
+struct Long {
+    arrays: schem::Incoming,
+    blocks: structure::Incoming,
+}
+
+impl Sink for Long {
+    fn wants(&mut self, path: &str, len: usize) -> bool {
+        self.arrays.wants(path, len)
+    }
+
+    fn take(&mut self, bytes: &[u8]) {
+        self.arrays.take(bytes);
+    }
+
+    fn wants_list(&mut self, path: &str) -> bool {
+        self.blocks.wants_list(path)
+    }
+
+    fn entry(&mut self, index: usize, compound: Compound) -> Kept {
+        self.blocks.entry(index, compound)
+    }
 }
 
 /// As many bytes as tell NBT from anything else.
@@ -140,11 +155,12 @@ fn open<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>, ReadError> {
 fn tags(content: Box<dyn BufRead + '_>, most: usize, limits: &Limits) -> Result<Tags, ReadError> {
     // The layers below are too deep to be asked for every number.
     let mut content = BufReader::with_capacity(gzip::CHUNK, content);
-    let mut arrays = schem::Incoming::new(most, limits);
-    let (_, root, _) = nbt::read_from(&mut content, Endian::Big, &limits.nbt(), &mut arrays)?;
+    let mut long =
+        Long { arrays: schem::Incoming::new(most, limits), blocks: structure::Incoming::default() };
+    let (_, root, _) = nbt::read_from(&mut content, Endian::Big, &limits.nbt(), &mut long)?;
     // To the very end, where gzip keeps its checksum.
     let trailing = io::copy(&mut content, &mut io::sink())?;
-    Ok(Tags { root, arrays, trailing })
+    Ok(Tags { root, long, trailing })
 }
 
 fn all(mut content: Box<dyn BufRead + '_>) -> io::Result<Vec<u8>> {

@@ -120,7 +120,7 @@ fn is_mcstructure(bytes: &[u8]) -> bool {
 const SECTOR: usize = 4096;
 
 /// A region has no magic number: its table of chunks must point to places behind the table.
-fn is_region(bytes: &[u8]) -> bool {
+pub fn is_region(bytes: &[u8]) -> bool {
     let Some(table) = bytes.get(..SECTOR) else { return false };
     let (entries, _) = table.as_chunks::<4>();
     let mut chunks =

@@ -38,11 +38,11 @@ mod volume;
 mod warning;
 
 pub use about::About;
-pub use decode::{Content, Decoded, about, decode, decode_with, sniff};
+pub use decode::{Content, Decoded, decode, decode_with, sniff};
 pub use encoded::Encoded;
 pub use error::{ReadError, WriteError};
 pub use file::{Staged, read, read_bytes, write_atomic};
-pub use format::Format;
+pub use format::{Format, is_region};
 pub use gzip::GzipError;
 pub use limits::Limits;
 pub use litematic::{LitematicVersion, encode_litematic};

@@ -17,6 +17,6 @@ pub use endian::Endian;
 pub use error::{NbtError, NbtProblem};
 pub use limits::Limits;
 pub use read::{read, read_as, read_first, read_from};
-pub use stream::{Compounds, Part, Sink, Source, View};
+pub use stream::{Compounds, Kept, Part, Sink, Source, View};
 pub use tag::{Compound, Tag};
 pub use write::{WriteError, write, write_as, write_to};

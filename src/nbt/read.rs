@@ -1,7 +1,7 @@
 use super::input::Input;
 use super::path::Path;
 use super::tag::id;
-use super::{Compound, Endian, Limits, NbtError, NbtProblem, Sink, Tag};
+use super::{Compound, Endian, Kept, Limits, NbtError, NbtProblem, Sink, Tag};
 use std::io::BufRead;
 
 /// The root name and tree of big-endian NBT, which must fill `bytes`.
@@ -50,6 +50,9 @@ pub fn read_from(
 /// A node of a compound's map has room for 11 entries and is at least half full but for the first.
 const FIRST_ENTRY: u64 = 11 * size_of::<(String, Tag)>() as u64 + 16;
 const FURTHER_ENTRY: u64 = FIRST_ENTRY / 5;
+
+/// The few numbers that may be kept of a compound that was handed on.
+const HANDED_ON: u64 = 64;
 
 struct Reader<'a, R> {
     input: Input<R>,
@@ -148,9 +151,14 @@ impl<R: BufRead> Reader<'_, R> {
 
     /// The value of a compound's tag, which `sink` may take.
     fn tag(&mut self, kind: u8, depth: usize) -> Result<Tag, NbtError> {
-        if kind != id::BYTE_ARRAY {
-            return self.payload(kind, depth);
+        match kind {
+            id::BYTE_ARRAY => self.byte_array(),
+            id::LIST => self.list_tag(depth).map(Tag::List),
+            _ => self.payload(kind, depth),
         }
+    }
+
+    fn byte_array(&mut self) -> Result<Tag, NbtError> {
         let what = "a Byte Array";
         let len = self.length(what)?;
         if !self.sink.wants(self.path.as_str(), len) {
@@ -207,7 +215,24 @@ impl<R: BufRead> Reader<'_, R> {
         })
     }
 
+    /// The list of a compound, which `sink` may take.
+    fn list_tag(&mut self, depth: usize) -> Result<Vec<Tag>, NbtError> {
+        match self.list_head(depth)? {
+            (id::COMPOUND, len) if self.sink.wants_list(self.path.as_str()) => {
+                self.streamed_list(len, depth)?;
+                Ok(Vec::new())
+            }
+            (kind, len) => self.list_entries(kind, len, depth),
+        }
+    }
+
     fn list(&mut self, depth: usize) -> Result<Vec<Tag>, NbtError> {
+        let (kind, len) = self.list_head(depth)?;
+        self.list_entries(kind, len, depth)
+    }
+
+    /// The type and number of the entries.
+    fn list_head(&mut self, depth: usize) -> Result<(u8, usize), NbtError> {
         self.check_depth(depth)?;
         let kind = self.byte("the entry type of a List")?;
         if kind > id::LONG_ARRAY {
@@ -217,6 +242,10 @@ impl<R: BufRead> Reader<'_, R> {
         if kind == id::END && len > 0 {
             return self.fail(NbtProblem::UntypedList(len as i32));
         }
+        Ok((kind, len))
+    }
+
+    fn list_entries(&mut self, kind: u8, len: usize, depth: usize) -> Result<Vec<Tag>, NbtError> {
         let mark = self.path.enter_list();
         let mut entries = Vec::new();
         for index in 0..len {
@@ -225,6 +254,21 @@ impl<R: BufRead> Reader<'_, R> {
         }
         self.path.leave(&mark);
         Ok(entries)
+    }
+
+    /// Hands on the compounds of a list, one after the other. Only those that are kept cost memory.
+    fn streamed_list(&mut self, len: usize, depth: usize) -> Result<(), NbtError> {
+        let mark = self.path.enter_list();
+        for index in 0..len {
+            let before = self.memory;
+            let entry = self.compound(depth + 1).map_err(|error| error.in_entry(&mark, index))?;
+            if self.sink.entry(index, entry) == Kept::Nothing {
+                self.memory = before;
+                self.charge(HANDED_ON)?;
+            }
+        }
+        self.path.leave(&mark);
+        Ok(())
     }
 
     fn compound(&mut self, depth: usize) -> Result<Compound, NbtError> {

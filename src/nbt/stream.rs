@@ -1,24 +1,39 @@
-use super::Tag;
+use super::{Compound, Tag};
 use std::io::{self, Write};
 
-/// Takes byte arrays as they are read, so that no tree holds them. An empty one stands in their place.
+/// Takes byte arrays and lists of compounds as they are read, so that no tree holds them. Empty ones stand in their
+/// place.
 pub trait Sink {
     /// Whether the array of `len` bytes at `path` (`Schematic.Blocks.Data`) is taken. Neither is to be believed: fewer
     /// bytes may come, and a path may come again, which then counts instead.
-    fn wants(&mut self, path: &str, len: usize) -> bool;
-
-    /// The next bytes of the array that was wanted last.
-    fn take(&mut self, bytes: &[u8]);
-}
-
-/// Leaves everything to the tree.
-impl Sink for () {
-    fn wants(&mut self, _: &str, _: usize) -> bool {
+    fn wants(&mut self, _path: &str, _len: usize) -> bool {
         false
     }
 
-    fn take(&mut self, _: &[u8]) {}
+    /// The next bytes of the array that was wanted last.
+    fn take(&mut self, _bytes: &[u8]) {}
+
+    /// Whether the list of compounds at `path` is taken. A path may come again, which then counts instead.
+    fn wants_list(&mut self, _path: &str) -> bool {
+        false
+    }
+
+    /// The compound number `index` of the list that was wanted last. What is kept of it counts against the limit.
+    fn entry(&mut self, _index: usize, _compound: Compound) -> Kept {
+        Kept::Nothing
+    }
 }
+
+/// How much of a compound is kept.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kept {
+    /// No more than a few numbers.
+    Nothing,
+    All,
+}
+
+/// Leaves everything to the tree.
+impl Sink for () {}
 
 /// Gives byte arrays and lists of compounds as they are written, so that no tree holds them. Empty ones stand in their
 /// place.

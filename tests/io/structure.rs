@@ -411,3 +411,10 @@ fn bounds_of_a_region_are_told_of_only_where_there_are_more() {
     grid.metadata.regions.push(region);
     assert_eq!(encode_structure(&grid).unwrap().lost, [Lost::Regions(2)]);
 }
+
+#[test]
+fn blocks_take_no_more_memory_than_their_file() {
+    let grid = Grid::new(Cell::new(50, 20, 20));
+    let limits = Limits { max_bytes: 2 << 20, ..Limits::default() };
+    assert!(decode(&encode_structure(&grid).unwrap().bytes, &limits).is_ok(), "20,000 blocks");
+}

@@ -1,21 +1,20 @@
 use super::tags;
 use super::{biomes, block_entities, entities, labels};
 use crate::block::Version;
-use crate::cli::input::Survey;
 use crate::grid::{Grid, LabelledBoxes, Region};
-use crate::io::Content;
+use crate::io::{Content, Decoded};
 use serde_json::{Map, Value, json};
 
 /// What `vox info --json` prints of a file. Keys are added over time, and none is taken away.
-pub(super) fn of(name: &str, survey: &Survey, notes: &[String]) -> Value {
-    let mut fields = match &survey.decoded.content {
+pub(super) fn of(name: &str, decoded: &Decoded, notes: &[String]) -> Value {
+    let mut fields = match &decoded.content {
         Content::Grid(grid) => of_grid(grid),
         Content::Boxes(boxes) => of_boxes(boxes),
     };
     let about = json!({
         "file": name,
-        "format": survey.about.format.ending(),
-        "format_version": survey.about.version,
+        "format": decoded.about.format.ending(),
+        "format_version": decoded.about.version,
         "odd": notes,
     });
     if let Value::Object(about) = about {

@@ -5,10 +5,10 @@ mod tags;
 mod text;
 
 use super::failure::Failure;
-use super::input::{self, Reading, Survey};
+use super::input::{self, Reading};
 use super::output;
 use crate::grid::{BiomeMap, Entity, Grid, LabelledBoxes};
-use crate::io::{Content, Format, Scale};
+use crate::io::{Content, Decoded, Format, Scale};
 use crate::nbt::{Compound, Tag};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -48,22 +48,22 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
 }
 
 fn tell(path: &Path, args: &Args, reading: &Reading) -> Result<(), Failure> {
-    let (name, survey) = (input::name(path), input::survey(path, reading)?);
-    let notes = notes(path, &survey);
+    let (name, decoded) = (input::name(path), input::decoded(path, reading)?);
+    let notes = notes(path, &decoded);
     match args.json {
-        true => output::json(&json::of(&name, &survey, &notes)),
-        false => output::stdout(text::of(&name, &survey, &notes).as_bytes()),
+        true => output::json(&json::of(&name, &decoded, &notes)),
+        false => output::stdout(text::of(&name, &decoded, &notes).as_bytes()),
     }
 }
 
 /// What is odd about a file.
-fn notes(path: &Path, survey: &Survey) -> Vec<String> {
+fn notes(path: &Path, decoded: &Decoded) -> Vec<String> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let format = survey.about.format;
+    let format = decoded.about.format;
     let wrong_name = (!input::is_stdio(path) && !ending.eq_ignore_ascii_case(format.ending()))
         .then(|| format!("the name ends in `.{ending}`, but this is {format}"));
-    let warnings = survey.decoded.warnings.iter().map(ToString::to_string);
-    let oddities = match &survey.decoded.content {
+    let warnings = decoded.warnings.iter().map(ToString::to_string);
+    let oddities = match &decoded.content {
         Content::Grid(grid) => grid.oddities(),
         Content::Boxes(_) => Vec::new(),
     };

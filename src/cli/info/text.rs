@@ -1,17 +1,16 @@
 use super::tags;
 use super::{Counts, biomes, block_entities, entities, format_name, labels};
 use crate::block::Version;
-use crate::cli::input::Survey;
 use crate::grid::{Grid, LabelledBoxes};
-use crate::io::{About, Content};
+use crate::io::{About, Content, Decoded};
 use crate::space::Cell;
 use std::fmt::Write;
 
 /// What `vox info` prints of a file.
-pub(super) fn of(name: &str, survey: &Survey, notes: &[String]) -> String {
+pub(super) fn of(name: &str, decoded: &Decoded, notes: &[String]) -> String {
     let mut text = format!("{name}\n");
-    line(&mut text, "format", &format(&survey.about));
-    match &survey.decoded.content {
+    line(&mut text, "format", &format(&decoded.about));
+    match &decoded.content {
         Content::Grid(grid) => of_grid(&mut text, grid, notes),
         Content::Boxes(boxes) => of_boxes(&mut text, boxes, notes),
     }

@@ -7,7 +7,7 @@ use crate::block::BlockState;
 use crate::grid::{Entity, Grid};
 use crate::io::error::Size;
 use crate::io::fields::Fields;
-use crate::io::{Content, Decoded, Limits, ReadError, Warning};
+use crate::io::{About, Content, Decoded, Format, Limits, ReadError, Warning};
 use crate::space::{Bounds, Cell};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -16,7 +16,8 @@ use std::path::Path;
 /// a world that has one. Where the game has made no blocks yet the grid holds `structure_void`.
 pub fn read_world(path: &Path, part: Option<Bounds>, limits: &Limits) -> Result<Decoded, ReadError> {
     let (grid, warnings) = read(&World::at(path)?, part, limits)?;
-    Ok(Decoded { content: Content::Grid(grid), warnings })
+    let about = About { format: Format::Region, version: None };
+    Ok(Decoded { about, content: Content::Grid(grid), warnings })
 }
 
 /// All blocks of a region file.

@@ -8,12 +8,14 @@
 //! Where no block is, the world is left alone. Structures with several looks have a list `palettes` instead,
 //! of which the game takes one by chance.
 
+mod blocks;
 mod entities;
 mod jigsaw;
 mod joint;
 mod read;
 mod write;
 
+pub(super) use blocks::Incoming;
 pub(super) use read::decode;
 pub use write::encode_structure;
 

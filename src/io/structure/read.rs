@@ -1,3 +1,4 @@
+use super::blocks::{self, Incoming, Placed};
 use super::{ROOT_TAGS, entities, jigsaw};
 use crate::block::BlockState;
 use crate::grid::{Dialect, Grid, Metadata, Own};
@@ -8,12 +9,18 @@ use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
 
 /// The grid of a structure, with one of its palettes; the others make its variants.
-pub fn decode(root: &Compound, limits: &Limits, jigsaws: Jigsaws) -> Result<(Grid, Vec<Warning>), ReadError> {
+pub fn decode(
+    root: &Compound,
+    blocks: Incoming,
+    limits: &Limits,
+    jigsaws: Jigsaws,
+) -> Result<(Grid, Vec<Warning>), ReadError> {
     let root = Fields::new("", root);
     let size = size(&root)?;
     let palettes = palettes(&root)?;
     check_cells(size, palettes.len(), limits)?;
-    let (blocks, outside) = blocks(&root, size)?;
+    let blocks = blocks.finish(&root)?;
+    let outside = blocks.iter().filter(|block| !is_inside(size, block)).count();
     let looks = palettes.iter().map(|states| look(size, &blocks, states, jigsaws));
     let mut looks = looks.collect::<Result<Vec<Look>, ReadError>>()?.into_iter();
     let Look { mut grid, replaced, jigsaws } = looks.next().expect("there is a palette");
@@ -71,38 +78,6 @@ fn palettes(root: &Fields) -> Result<Vec<States>, ReadError> {
     }
 }
 
-/// A block of the list.
-struct Placed<'a> {
-    fields: Fields<'a>,
-    place: Cell,
-    state: usize,
-    nbt: Option<&'a Compound>,
-}
-
-/// The blocks within `size`, and how many are not.
-fn blocks<'a>(root: &Fields<'a>, size: Size) -> Result<(Vec<Placed<'a>>, usize), ReadError> {
-    root.get::<&[Tag]>("blocks")?;
-    let each = root.list("blocks")?.into_iter().map(|fields| {
-        let place = Cell::from_array(fields.get("pos")?);
-        let (state, nbt) = (index(&fields)?, fields.find("nbt")?);
-        Ok(Placed { fields, place, state, nbt })
-    });
-    let mut blocks = each.collect::<Result<Vec<Placed>, ReadError>>()?;
-    let found = blocks.len();
-    blocks.retain(|block| Bounds::of_size(size.0).contains(block.place));
-    let outside = found - blocks.len();
-    Ok((blocks, outside))
-}
-
-fn index(block: &Fields) -> Result<usize, ReadError> {
-    let state = block.get::<i32>("state")?;
-    usize::try_from(state).map_err(|_| ReadError::WrongType {
-        path: block.path("state"),
-        expected: "an index of the palette",
-        found: state.to_string(),
-    })
-}
-
 /// A structure with one of its palettes.
 struct Look {
     grid: Grid,
@@ -120,26 +95,32 @@ fn look(size: Size, blocks: &[Placed], states: &States, jigsaws: Jigsaws) -> Res
     let ids = states.states.iter().map(|state| grid.intern(state)).collect::<Result<Vec<u16>, _>>();
     let ids = ids.map_err(full)?;
     let mut look = Look { grid, replaced: 0, jigsaws: 0 };
-    for block in blocks {
-        let Some(state) = states.states.get(block.state) else { return Err(not_in_palette(block, states)) };
+    for (index, block) in blocks.iter().enumerate().filter(|(_, block)| is_inside(size, block)) {
+        let number = block.state as usize;
+        let Some(state) = states.states.get(number) else { return Err(not_in_palette(index, block, states)) };
+        let nbt = block.nbt.as_deref();
         look.replaced += usize::from(look.grid.id(block.place) != nobodys);
         let left_behind = match jigsaws {
-            Jigsaws::Final => jigsaw::final_state(state, block.nbt, || block.fields.path("nbt"))?,
+            Jigsaws::Final => jigsaw::final_state(state, nbt, || format!("{}.nbt", blocks::path(index)))?,
             Jigsaws::Keep => None,
         };
-        let id = left_behind.as_ref().map_or(Ok(ids[block.state]), |state| look.grid.intern(state));
+        let id = left_behind.as_ref().map_or(Ok(ids[number]), |state| look.grid.intern(state));
         look.grid.set(block.place, id.map_err(full)?);
         look.jigsaws += usize::from(left_behind.is_some());
-        set_data(&mut look.grid, block.place, block.nbt.filter(|_| left_behind.is_none()));
+        set_data(&mut look.grid, block.place, nbt.filter(|_| left_behind.is_none()));
     }
     Ok(look)
 }
 
-fn not_in_palette(block: &Placed, states: &States) -> ReadError {
+fn is_inside(size: Size, block: &Placed) -> bool {
+    Bounds::of_size(size.0).contains(block.place)
+}
+
+fn not_in_palette(index: usize, block: &Placed, states: &States) -> ReadError {
     ReadError::NotInPalette {
-        path: block.fields.path("state"),
+        path: format!("{}.state", blocks::path(index)),
         cell: block.place,
-        index: block.state as u32,
+        index: block.state,
         entries: states.states.len(),
     }
 }
