@@ -1,7 +1,7 @@
 //! What commands share that read buildings and write each again.
 
 use super::failure::Failure;
-use super::input::{self, Reading};
+use super::input::{self, Limit, Reading};
 use super::output::{self, Kind, Writing};
 use super::progress::Progress;
 use super::summary::{self, Summary};
@@ -19,6 +19,8 @@ pub struct Batch {
     /// What to write: .schem, .litematic, .nbt, .vox, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
     /// input without its ending, and for its number
     pub output: Template,
+    #[command(flatten)]
+    pub limit: Limit,
     #[command(flatten)]
     pub writing: Writing,
 }
@@ -52,7 +54,7 @@ impl Batch {
 
     /// As [`Batch::each`], for work that needs blocks.
     pub fn each_grid(&self, work: impl Fn(&str, Grid) -> Result<Grid, Failure>) -> Result<(), Failure> {
-        self.each(&Reading::default(), |name, content| {
+        self.each(&self.limit.reading(), |name, content| {
             work(name, input::require_grid(name, content)?).map(Content::Grid)
         })
     }

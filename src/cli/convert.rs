@@ -16,7 +16,7 @@ Examples:
   vox convert house.schem house-here.schem --anchor door --air void
   vox convert castle.schem 'data/mine/structure/castle.nbt' --split 48
   vox convert saves/world town.schem --box 100,60,-20,180,120,40
-  vox convert house.schem new-world --format mca --at 100,64,-20")]
+  vox convert house.schem new-world/ --at 100,64,-20")]
 pub struct Args {
     #[command(flatten)]
     batch: Batch,
@@ -44,6 +44,6 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
         JigsawArg::Keep => Jigsaws::Keep,
     };
     let options = Options { scale: args.scale.unwrap_or_default(), jigsaws, ..Options::default() };
-    let reading = args.part.read_by(Reading { options, ..Reading::default() });
+    let reading = args.part.read_by(Reading { options, ..args.batch.limit.reading() });
     args.batch.each(&reading, |_, content| Ok(content))
 }

@@ -1,5 +1,5 @@
 use super::failure::Failure;
-use super::input::{self, Reading};
+use super::input::{self, Limit};
 use super::output;
 use super::report;
 use super::summary::counted;
@@ -30,6 +30,8 @@ pub struct Args {
     /// Print as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    limit: Limit,
 }
 
 /// As other programs that compare, this one says by its exit code what it found.
@@ -46,7 +48,7 @@ pub fn execute(args: &Args) -> ExitCode {
 
 /// Whether both are the same; what is different is told.
 fn compare(args: &Args) -> Result<bool, Failure> {
-    let [old, new] = [&args.old, &args.new].map(|path| input::grid(path, &Reading::default()));
+    let [old, new] = [&args.old, &args.new].map(|path| input::grid(path, &args.limit.reading()));
     let diff = Diff::of(&old?, &new?);
     let names = [input::name(&args.old), input::name(&args.new)];
     match args.json {

@@ -1,5 +1,5 @@
 use super::failure::Failure;
-use super::input::{self, Reading};
+use super::input::{self, Limit};
 use super::output::{self, Output};
 use super::progress::Progress;
 use super::report;
@@ -32,6 +32,8 @@ pub struct Args {
     /// Blocks per unit of OBJ coordinates
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
+    #[command(flatten)]
+    limit: Limit,
     /// Print what was learnt as JSON. The grammar then goes to a file only
     #[arg(long)]
     json: bool,
@@ -43,7 +45,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
         return Err(failure.hint("say where the grammar goes: `-o village.grammar`"));
     }
     let paths = input::paths(&args.examples)?;
-    let reading = Reading::scaled(args.scale);
+    let reading = args.limit.scaled(args.scale);
     let progress = Progress::new(paths.len());
     let mut examples = Vec::with_capacity(paths.len());
     for path in &paths {

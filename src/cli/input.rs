@@ -65,11 +65,25 @@ pub struct Reading {
     pub part: Option<Bounds>,
 }
 
-impl Reading {
+/// How much a file may unfold to.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct Limit {
+    /// The most that a file may unfold to, in GiB: a small file can ask for any amount of memory
+    #[arg(long = "limit", value_name = "GIB", default_value = "1", value_parser = clap::value_parser!(u16).range(1..))]
+    gib: u16,
+}
+
+impl Limit {
+    pub fn reading(self) -> Reading {
+        let (one, times) = (Limits::default(), u64::from(self.gib));
+        let limits = Limits { max_bytes: times * one.max_bytes, max_cells: times * one.max_cells };
+        Reading { limits, ..Reading::default() }
+    }
+
     /// With labelled boxes at this scale.
-    pub fn scaled(scale: Option<Scale>) -> Reading {
+    pub fn scaled(self, scale: Option<Scale>) -> Reading {
         let options = Options { scale: scale.unwrap_or_default(), ..Options::default() };
-        Reading { options, ..Reading::default() }
+        Reading { options, ..self.reading() }
     }
 }
 

@@ -1,5 +1,5 @@
 use super::failure::Failure;
-use super::input::{self, Reading};
+use super::input::{self, Limit};
 use super::output;
 use super::summary::counted;
 use crate::block;
@@ -26,12 +26,14 @@ pub struct Args {
     /// Print as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    limit: Limit,
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
     let mut totals = BTreeMap::new();
     for path in input::paths(&args.files)? {
-        add(&mut totals, &input::grid(&path, &Reading::default())?);
+        add(&mut totals, &input::grid(&path, &args.limit.reading())?);
     }
     let mut items: Vec<(String, u64)> = totals.into_iter().collect();
     // The sort keeps the order of names among equals.

@@ -131,6 +131,7 @@ impl Writing {
         match Kind::of_ending(&ending) {
             Some(kind) => Ok(kind),
             None if is_stdio(path) => Ok(Kind::Schem),
+            None if path.is_dir() || path.to_string_lossy().ends_with('/') => Ok(Kind::Mca),
             None => Err(unknown_kind(path, &ending)),
         }
     }
@@ -203,7 +204,7 @@ fn unknown_kind(path: &Path, ending: &str) -> Failure {
     let name = path.display().to_string();
     match ending {
         "mca" => Failure::of_file(&name, "region files are written into the folder of a world")
-            .hint("name a folder, and say `--format mca --at 100,64,-20`"),
+            .hint("name its folder with a `/` at the end, and say where: new-world/ --at 100,64,-20"),
         _ => Failure::of_file(&name, "vox cannot write this kind of file")
             .hint("name it .schem, .litematic, .nbt, .vox, .obj or .png, or say `--format schem`"),
     }

@@ -1,5 +1,5 @@
 use super::failure::Failure;
-use super::input::{self, Reading};
+use super::input::{self, Limit};
 use super::output;
 use super::progress::Progress;
 use crate::view::{self, Corner, ViewOptions};
@@ -28,6 +28,8 @@ pub struct Args {
     /// Leave the background clear
     #[arg(long)]
     clear: bool,
+    #[command(flatten)]
+    limit: Limit,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -46,7 +48,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     let mut tiles = Vec::with_capacity(paths.len());
     let mut pixels = 0;
     for path in &paths {
-        let grid = input::grid(path, &Reading::default())?;
+        let grid = input::grid(path, &args.limit.reading())?;
         let picture = view::isometric(&grid, &options);
         pixels += u64::from(picture.width()) * u64::from(picture.height());
         if paths.len() > 1 && pixels > MOST_PIXELS {

@@ -1,5 +1,6 @@
 use super::batch::Batch;
 use super::failure::Failure;
+use super::input::Limit;
 use super::output::Writing;
 use super::report;
 use super::summary::counted;
@@ -31,12 +32,14 @@ pub struct Args {
     #[arg(required = true, value_name = "FROM=TO")]
     replacements: Vec<Replacement>,
     #[command(flatten)]
+    limit: Limit,
+    #[command(flatten)]
     writing: Writing,
 }
 
 pub fn execute(args: Args) -> Result<(), Failure> {
-    let Args { input, output, replacements, writing } = args;
-    let batch = Batch { inputs: vec![input], output, writing };
+    let Args { input, output, replacements, limit, writing } = args;
+    let batch = Batch { inputs: vec![input], output, limit, writing };
     batch.each_grid(|name, mut grid| {
         let before: Vec<BlockState> = grid.counts().into_iter().map(|(state, _)| state.clone()).collect();
         let replaced = grid.replace(&replacements).map_err(|error| Failure::of_file(name, error))?;

@@ -17,7 +17,9 @@ pub enum ReadError {
     Gzip(GzipError),
     #[error(transparent)]
     Nbt(NbtError),
-    #[error("this is {0}, which vox cannot read: expected a Sponge schematic (.schem) or a labelled OBJ")]
+    #[error(
+        "this is {0}, which vox cannot read: expected a schematic, a structure, a model, a world or a labelled OBJ"
+    )]
     Unreadable(Format),
     #[error(
         "this is NBT, but no schematic: expected `Palette` and `BlockData`, or a compound `Blocks`, \

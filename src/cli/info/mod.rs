@@ -5,7 +5,7 @@ mod tags;
 mod text;
 
 use super::failure::Failure;
-use super::input::{self, Reading};
+use super::input::{self, Limit, Reading};
 use super::output;
 use crate::grid::{BiomeMap, Entity, Grid, LabelledBoxes};
 use crate::io::{Content, Decoded, Format, Scale};
@@ -26,13 +26,15 @@ pub struct Args {
     /// Blocks per unit of OBJ coordinates
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
+    #[command(flatten)]
+    limit: Limit,
     /// Print as JSON, one line a file
     #[arg(long)]
     json: bool,
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    let reading = Reading::scaled(args.scale);
+    let reading = args.limit.scaled(args.scale);
     let mut failed = false;
     for path in input::paths(&args.files)? {
         match tell(&path, args, &reading) {

@@ -82,8 +82,8 @@ pub(super) fn write_block_entities(grid: &Grid, named: usize, version: SchemVers
     Compounds { len: named, each: Box::new(entries) }
 }
 
-/// The entities of `grid`, where there are any with an `id`.
-pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Option<Compounds<'_>> {
+/// The entities of `grid` that have an `id`.
+pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Compounds<'_> {
     let corner = match version {
         SchemVersion::V2 => grid.metadata.offset,
         SchemVersion::V3 => Cell::ZERO,
@@ -94,7 +94,7 @@ pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Option<Compo
         view(Tag::List(place.to_vec()), &entity.data, version)
     });
     let len = entities.iter().filter(|entity| entity.data.contains_key("id")).count();
-    (len > 0).then(|| Compounds { len, each: Box::new(entries) })
+    Compounds { len, each: Box::new(entries) }
 }
 
 /// `None` where the data do not say what they are of.

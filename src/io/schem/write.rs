@@ -23,8 +23,6 @@ pub fn encode_schem(grid: &Grid, version: SchemVersion) -> Result<Encoded, Write
     body.extend(common(grid, extents));
     let (tags, biomes) = biomes::write(grid, version).unzip();
     body.extend(tags.into_iter().flatten().map(named));
-    let entities = entities::write_entities(grid, version);
-    body.extend(entities.map(|_| named(("Entities", Tag::List(Vec::new())))));
     let (name, root) = match version {
         SchemVersion::V2 => ("Schematic", version_2(grid, body, palette)),
         SchemVersion::V3 => ("", version_3(grid, body, palette)),
@@ -77,7 +75,7 @@ impl Source for Long<'_> {
                 Some(entities::write_block_entities(self.grid, self.named, self.version))
             }
             (SchemVersion::V2, "Entities") | (SchemVersion::V3, "Schematic.Entities") => {
-                entities::write_entities(self.grid, self.version)
+                Some(entities::write_entities(self.grid, self.version))
             }
             _ => None,
         }
@@ -139,6 +137,8 @@ fn common(grid: &Grid, [width, height, length]: [i16; 3]) -> Compound {
         ("Height", Tag::Short(height)),
         ("Length", Tag::Short(length)),
         ("Offset", Tag::IntArray(metadata.offset.to_array().to_vec())),
+        // Some readers want the list even where there are none.
+        ("Entities", Tag::List(Vec::new())),
     ])
 }
 
