@@ -151,8 +151,7 @@ impl Writing {
             outputs.extend(piece);
             all_lost.extend(lost.into_iter().filter_map(|lost| of_whole(lost, &grid)));
         }
-        all_lost.dedup();
-        tell_lost(&name, &all_lost);
+        tell_lost(&name, &Lost::of_pieces(all_lost));
         Ok(outputs)
     }
 
@@ -191,7 +190,7 @@ impl Writing {
             Kind::Structure => one(io::encode_structure(grid)),
             Kind::Vox => one(io::encode_vox(grid, block::color)),
             Kind::Mca => regions(path, grid, self.at.0),
-            Kind::Obj => Ok((mesh(path, grid), Vec::new())),
+            Kind::Obj => Ok(mesh(path, grid)),
             Kind::Png => {
                 let drawn = view::isometric(grid, &view::ViewOptions::default());
                 Ok((picture(path, &drawn)?, Vec::new()))
@@ -247,6 +246,13 @@ fn to_version(name: &str, grid: &mut Grid, to: Version) -> Result<(), Failure> {
         let names = newer.into_iter().collect::<Vec<String>>().join(", ");
         let failure = Failure::of_file(name, format!("Minecraft {to} does not have {names}"));
         return Err(failure.hint("put others in their place with `vox replace`"));
+    }
+    let data = grid.block_entities.len() + grid.metadata.entities.len();
+    if data > 0 && from != to {
+        report::warning(&format!(
+            "{name}: the data of {data} block entities and entities (signs, chests, ..) keep the form of Minecraft {from}, \
+             which {to} may not understand"
+        ));
     }
     let change = |old: &BlockState| block::translated(old, from, to).unwrap_or_else(|_| old.clone());
     grid.map_states(change).map_err(|error| Failure::of_file(name, error))?;
@@ -306,16 +312,16 @@ impl Output {
 }
 
 /// A mesh, with its materials in a file beside it; on standard output there is nothing beside it.
-fn mesh(path: &Path, grid: &Grid) -> Vec<Output> {
+fn mesh(path: &Path, grid: &Grid) -> (Vec<Output>, Vec<Lost>) {
     let materials = path.with_extension("mtl");
     let name = materials.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let mesh = io::encode_obj_mesh(grid, &name, block::color);
     if is_stdio(path) {
         let alone =
             mesh.obj.lines().filter(|line| !line.starts_with("mtllib ")).map(|line| format!("{line}\n"));
-        return vec![Output::new(path, alone.collect::<String>())];
+        return (vec![Output::new(path, alone.collect::<String>())], mesh.lost);
     }
-    vec![Output::new(&materials, mesh.mtl), Output::new(path, mesh.obj)]
+    (vec![Output::new(&materials, mesh.mtl), Output::new(path, mesh.obj)], mesh.lost)
 }
 
 /// Labelled boxes, one OBJ object each.

@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::input::Reading;
+use super::report;
 use crate::grid::Grid;
 use crate::io::Options;
 use crate::space::{Bounds, Cell};
@@ -68,6 +69,12 @@ pub fn boxed(name: &str, grid: &Grid, bounds: Bounds) -> Result<Grid, Failure> {
         let last = grid.size() - Cell::ONE;
         let failure = Failure::of_file(name, "the box lies outside of the building");
         return Err(failure.hint(format!("the building goes from 0,0,0 to {},{},{}", last.x, last.y, last.z)));
+    }
+    if !grid.bounds().contains_box(&bounds) {
+        let Cell { x, y, z } = grid.bounds().intersect(&bounds).size();
+        report::warning(&format!(
+            "{name}: the box reaches out of the building: {x} x {y} x {z} of it are there"
+        ));
     }
     Ok(grid.cropped(bounds))
 }

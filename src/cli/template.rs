@@ -30,11 +30,25 @@ impl Template {
     }
 
     fn require_one_of(&self, places: &[&str], count: usize, example: &str) -> Result<(), Failure> {
+        self.refuse_others(places)?;
         if count < 2 || places.iter().any(|place| self.0.contains(place)) {
             return Ok(());
         }
         let failure = Failure::of_file(&self.0, format!("{count} files cannot all have this name"));
         Err(failure.hint(format!("write {} where they differ: {example}", places.join(" or "))))
+    }
+
+    /// A slip in the name of a place would become the name of a file.
+    fn refuse_others(&self, places: &[&str]) -> Result<(), Failure> {
+        let words =
+            self.0.match_indices('{').filter_map(|(at, _)| Some(&self.0[at..=at + self.0[at..].find('}')?]));
+        match words.into_iter().find(|word| !places.contains(word)) {
+            None => Ok(()),
+            Some(word) => {
+                let failure = Failure::of_file(&self.0, format!("`{word}` stands for nothing here"));
+                Err(failure.hint(format!("the name of an output may hold {}", places.join(" and "))))
+            }
+        }
     }
 
     /// The paths with `{number}` in the width that all need.

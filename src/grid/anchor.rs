@@ -1,6 +1,6 @@
 use super::Grid;
 use crate::block::{BlockState, Facing, Shape, shape};
-use crate::space::Cell;
+use crate::space::{Bounds, Cell};
 
 /// Where the player stands who puts a build down.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -38,15 +38,53 @@ impl Grid {
         let door = Cell::new(x as i32, y as i32, z as i32);
         let inwards = self.get(door).get("facing").and_then(Facing::named).unwrap_or(Facing::North);
         // Who puts up a door looks the way it faces, mostly from outside.
-        let outwards = [inwards.opposite(), inwards].into_iter().find(|side| self.is_open(door, *side));
-        Some(door + outwards.unwrap_or(inwards.opposite()).step())
+        let sides = [inwards.opposite(), inwards].map(|side| door + side.step());
+        let outside = Outside::of(self);
+        Some(sides.into_iter().find(|&cell| outside.holds(cell)).unwrap_or(sides[0]))
+    }
+}
+
+/// The cells that air comes to from beyond the grid.
+struct Outside {
+    bounds: Bounds,
+    reached: Vec<bool>,
+}
+
+impl Outside {
+    fn of(grid: &Grid) -> Outside {
+        let is_open: Vec<bool> =
+            grid.palette.states().iter().map(|state| shape(state) == Shape::Air).collect();
+        let bounds = grid.bounds();
+        let mut outside = Outside { bounds, reached: vec![false; grid.cells.len()] };
+        let mut next: Vec<Cell> = border(bounds).collect();
+        while let Some(cell) = next.pop() {
+            let is_new = bounds.contains(cell) && is_open[usize::from(grid.id(cell))] && !outside.holds(cell);
+            if is_new {
+                let at = outside.index(cell);
+                outside.reached[at] = true;
+                next.extend(Facing::ALL.map(|side| cell + side.step()));
+            }
+        }
+        outside
     }
 
-    /// Whether nothing stands in the way from `cell` out of the grid.
-    fn is_open(&self, cell: Cell, side: Facing) -> bool {
-        let way = (1..).map(|far| cell + side.step() * far).take_while(|at| self.bounds().contains(*at));
-        way.into_iter().all(|at| shape(self.get(at)) == Shape::Air)
+    fn index(&self, cell: Cell) -> usize {
+        let size = self.bounds.size();
+        ((cell.y as usize * size.z as usize) + cell.z as usize) * size.x as usize + cell.x as usize
     }
+
+    /// Beyond the grid is outside.
+    fn holds(&self, cell: Cell) -> bool {
+        !self.bounds.contains(cell) || self.reached[self.index(cell)]
+    }
+}
+
+/// The cells of a grid's sides and top; what lies below is mostly ground.
+fn border(bounds: Bounds) -> impl Iterator<Item = Cell> {
+    let last = bounds.max - Cell::ONE;
+    bounds.cells().filter(move |cell| {
+        cell.x == 0 || cell.z == 0 || cell.x == last.x || cell.z == last.z || cell.y == last.y
+    })
 }
 
 fn is_lower_half(state: &BlockState) -> bool {
@@ -56,7 +94,6 @@ fn is_lower_half(state: &BlockState) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::space::Bounds;
 
     /// A room with a door in its south wall that is entered northwards.
     fn hut(facing: &str) -> Grid {
@@ -65,6 +102,9 @@ mod tests {
         let door = grid.intern(&format!("oak_door[facing={facing},half=lower]").parse().unwrap()).unwrap();
         grid.fill(Bounds::new(Cell::ZERO, Cell::new(5, 3, 1)), stone);
         grid.fill(Bounds::new(Cell::new(0, 0, 4), Cell::new(5, 3, 5)), stone);
+        grid.fill(Bounds::new(Cell::ZERO, Cell::new(1, 3, 5)), stone);
+        grid.fill(Bounds::new(Cell::new(4, 0, 0), Cell::new(5, 3, 5)), stone);
+        grid.fill(Bounds::new(Cell::new(0, 2, 0), Cell::new(5, 3, 5)), stone);
         grid.set(Cell::new(2, 1, 4), door);
         grid
     }

@@ -84,7 +84,7 @@ fn changed(a: &BTreeMap<[i32; 3], Compound>, b: &BTreeMap<[i32; 3], Compound>) -
 /// The entities of `a` that `b` has no equal of, or not as many.
 fn only_in(a: &Grid, b: &Grid) -> Vec<Entity> {
     let mut others: Vec<&Entity> = b.metadata.entities.iter().collect();
-    let is_alone = |entity: &&Entity| match others.iter().position(|other| other == entity) {
+    let is_alone = |entity: &&Entity| match others.iter().position(|other| is_same(other, entity)) {
         Some(at) => {
             others.swap_remove(at);
             false
@@ -92,6 +92,12 @@ fn only_in(a: &Grid, b: &Grid) -> Vec<Entity> {
         None => true,
     };
     a.metadata.entities.iter().filter(is_alone).cloned().collect()
+}
+
+/// Formats count places from different points, so sums round.
+fn is_same(a: &Entity, b: &Entity) -> bool {
+    const NEAR: f64 = 1e-6;
+    a.data == b.data && a.place.iter().zip(b.place).all(|(a, b)| (a - b).abs() < NEAR)
 }
 
 /// A single region is one whole by another name.

@@ -1,5 +1,6 @@
 use super::Format;
 use crate::nbt::{Compound, Tag};
+use crate::space::Cell;
 
 /// What a file says of how it is written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -7,6 +8,8 @@ pub struct About {
     pub format: Format,
     /// Of the format, where the file says one.
     pub version: Option<i32>,
+    /// Where in its world the low corner lies, of what is a part of one.
+    pub place: Option<Cell>,
 }
 
 impl About {
@@ -20,6 +23,6 @@ impl About {
             Some(Tag::Byte(version)) => Some((*version).into()),
             _ => None,
         });
-        About { format, version }
+        About { format, version, place: None }
     }
 }

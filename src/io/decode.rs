@@ -62,12 +62,12 @@ fn decode_bytes(
     limits: &Limits,
     options: &Options,
 ) -> Result<Decoded, ReadError> {
-    let about = About { format, version: None };
+    let about = About { format, version: None, place: None };
     let (grid, warnings) = match format {
         Format::Mcstructure => mcstructure::decode(plain, limits)?,
         Format::Axiom => axiom::decode(plain, limits)?,
         Format::MagicaVoxel => magica::decode(plain, limits)?,
-        Format::Region => region::decode(plain, limits)?,
+        Format::Region => return region::decode_region(plain, limits),
         Format::Obj => {
             let boxes = obj::decode_obj_boxes(plain, options.scale)?;
             return Ok(Decoded { about, content: Content::Boxes(boxes), warnings: Vec::new() });

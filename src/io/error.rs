@@ -212,7 +212,7 @@ pub enum WriteError {
     Size(Size),
     #[error(
         "the blocks are of the data version {0}, but chunks are written as since Minecraft 1.18 (2860): \
-         bring the blocks to that version first"
+         bring the blocks there first, as with `--mc-version 1.20.1`"
     )]
     OldBlocks(i32),
     #[error("the build would reach from {} to {}: worlds go to 30,000,000 sideways and 2,032 up and down",

@@ -1,6 +1,7 @@
 use crate::grid::{Dialect, Grid};
 use crate::space::Cell;
 use std::fmt;
+use std::mem::discriminant;
 
 /// What of a grid has no place in a format.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -82,6 +83,29 @@ impl Lost {
     pub(super) fn variants(grid: &Grid) -> Option<Lost> {
         some(grid.variants.len(), Lost::Variants)
     }
+
+    /// What the pieces of one build have lost together.
+    pub fn of_pieces(pieces: impl IntoIterator<Item = Lost>) -> Vec<Lost> {
+        let mut all: Vec<Lost> = Vec::new();
+        for lost in pieces {
+            match all.iter_mut().find(|known| discriminant(*known) == discriminant(&lost)) {
+                Some(known) => known.add(lost),
+                None => all.push(lost),
+            }
+        }
+        all
+    }
+
+    /// Adds a loss of the same kind. What is not counted is lost once.
+    fn add(&mut self, other: Lost) {
+        match (self, other) {
+            (Lost::BlockEntities(count), Lost::BlockEntities(more))
+            | (Lost::UnnamedBlockEntities(count), Lost::UnnamedBlockEntities(more))
+            | (Lost::Entities(count), Lost::Entities(more))
+            | (Lost::LeftAlone(count), Lost::LeftAlone(more)) => *count += more,
+            _ => {}
+        }
+    }
 }
 
 fn some(count: usize, lost: impl Fn(usize) -> Lost) -> Option<Lost> {
@@ -128,4 +152,15 @@ fn listed(names: &[String]) -> String {
     const SHOWN: usize = 6;
     let more = if names.len() > SHOWN { ", ..." } else { "" };
     format!("{}{more}", names[..names.len().min(SHOWN)].join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_pieces_lose_is_told_once() {
+        let pieces = [Lost::Biomes, Lost::Entities(1), Lost::Biomes, Lost::Entities(2)];
+        assert_eq!(Lost::of_pieces(pieces), [Lost::Biomes, Lost::Entities(3)]);
+    }
 }

@@ -29,10 +29,10 @@ impl Bounds {
         self.size().min_element() <= 0
     }
 
-    /// The number of cells inside.
+    /// The number of cells inside, of any corners that a file may say.
     pub fn volume(&self) -> u64 {
-        let size = self.size().max(Cell::ZERO);
-        size.x as u64 * size.y as u64 * size.z as u64
+        let size = (self.max.as_i64vec3() - self.min.as_i64vec3()).max(glam::I64Vec3::ZERO);
+        size.to_array().into_iter().fold(1, |volume, length| volume.saturating_mul(length as u64))
     }
 
     pub fn contains(&self, cell: Cell) -> bool {
@@ -65,5 +65,18 @@ impl Bounds {
             (self.min.z..self.max.z)
                 .flat_map(move |z| (self.min.x..self.max.x).map(move |x| Cell::new(x, y, z)))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_volume_of_any_corners_is_a_number() {
+        let far = Bounds::new(Cell::MIN, Cell::MAX);
+        assert_eq!(far.volume(), u64::MAX);
+        assert_eq!(Bounds::new(Cell::MAX, Cell::MIN).volume(), 0);
+        assert_eq!(Bounds::of_size(Cell::new(2, 3, 4)).volume(), 24);
     }
 }

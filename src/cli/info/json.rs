@@ -15,6 +15,7 @@ pub(super) fn of(name: &str, decoded: &Decoded, notes: &[String]) -> Value {
         "file": name,
         "format": decoded.about.format.ending(),
         "format_version": decoded.about.version,
+        "place": decoded.about.place.map(|place| place.to_array()),
         "odd": notes,
     });
     if let Value::Object(about) = about {

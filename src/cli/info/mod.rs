@@ -62,7 +62,8 @@ fn tell(path: &Path, args: &Args, reading: &Reading) -> Result<(), Failure> {
 fn notes(path: &Path, decoded: &Decoded) -> Vec<String> {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let format = decoded.about.format;
-    let wrong_name = (!input::is_stdio(path) && !ending.eq_ignore_ascii_case(format.ending()))
+    let has_name = !input::is_stdio(path) && !path.is_dir();
+    let wrong_name = (has_name && !ending.eq_ignore_ascii_case(format.ending()))
         .then(|| format!("the name ends in `.{ending}`, but this is {format}"));
     let warnings = decoded.warnings.iter().map(ToString::to_string);
     let oddities = match &decoded.content {

@@ -10,6 +10,9 @@ use std::fmt::Write;
 pub(super) fn of(name: &str, decoded: &Decoded, notes: &[String]) -> String {
     let mut text = format!("{name}\n");
     line(&mut text, "format", &format(&decoded.about));
+    if let Some(Cell { x, y, z }) = decoded.about.place {
+        line(&mut text, "in its world", &format!("from {x}, {y}, {z}"));
+    }
     match &decoded.content {
         Content::Grid(grid) => of_grid(&mut text, grid, notes),
         Content::Boxes(boxes) => of_boxes(&mut text, boxes, notes),

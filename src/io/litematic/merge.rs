@@ -3,7 +3,7 @@
 //! Where they overlap, the last block counts in the order of their names. Air is none and takes none away.
 
 use super::region::Part;
-use crate::block::Palette;
+use crate::block::{BlockState, Palette};
 use crate::grid::Grid;
 use crate::io::{ReadError, Warning, states};
 use crate::space::Bounds;
@@ -41,10 +41,10 @@ fn merged(
     let nobodys = palette.intern(&states::leave_alone()).expect("the palette was empty");
     let [x, y, z] = all.size().to_array().map(|n| n as usize);
     let mut merged = Array3::from_elem((y, z, x), nobodys);
-    let mut warnings = Vec::new();
+    let (mut warnings, mut nothing) = (Vec::new(), Vec::new());
     for part in parts {
         let cells = cells(part, palette)?;
-        let nothing: Vec<bool> = palette.states().iter().map(states::is_nothing).collect();
+        nothing.extend(palette.states()[nothing.len()..].iter().map(BlockState::is_nothing));
         let [x0, y0, z0] = (part.bounds.min - all.min).to_array().map(|n| n as usize);
         let [x1, y1, z1] = (part.bounds.max - all.min).to_array().map(|n| n as usize);
         let mut replaced = 0;

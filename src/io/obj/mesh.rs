@@ -3,6 +3,7 @@ use super::materials::Materials;
 use super::quads::merged;
 use crate::block::{BlockState, Facing, Rgba};
 use crate::grid::Grid;
+use crate::io::Lost;
 use crate::space::Cell;
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
@@ -12,6 +13,8 @@ use std::fmt::Write;
 pub struct ObjMesh {
     pub obj: String,
     pub mtl: String,
+    /// What of the grid a mesh has no place for, beside the states of the blocks.
+    pub lost: Vec<Lost>,
 }
 
 /// The outside of `grid` as a mesh, every block in its shape and in the colour that `color` gives it (sRGB). Faces
@@ -24,7 +27,19 @@ pub fn encode_obj_mesh(grid: &Grid, mtl_name: &str, color: impl Fn(&BlockState) 
     let mut mesh = Mesh::new(&materials);
     scene.draw_whole_blocks(&mut mesh);
     scene.draw_parts(&mut mesh);
-    ObjMesh { obj: mesh.obj(mtl_name), mtl: materials.mtl() }
+    ObjMesh { obj: mesh.obj(mtl_name), mtl: materials.mtl(), lost: lost(grid) }
+}
+
+fn lost(grid: &Grid) -> Vec<Lost> {
+    let lost = [
+        Lost::block_entities(grid),
+        Lost::entities(grid),
+        Lost::biomes(grid),
+        Lost::metadata(grid),
+        Lost::own(grid, None),
+        Lost::variants(grid),
+    ];
+    lost.into_iter().flatten().collect()
 }
 
 /// A grid with the looks of its palette numbers.

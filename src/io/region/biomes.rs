@@ -14,9 +14,6 @@ use std::collections::BTreeMap;
 const CUBE: i32 = 4;
 const CUBES: usize = 4 * 4 * 4;
 
-/// What the game calls places without a biome of their own.
-const VOID: &str = "minecraft:the_void";
-
 /// What is written where a grid says nothing.
 const PLAINS: &str = "minecraft:plains";
 
@@ -70,13 +67,19 @@ impl Gathered {
         Some(number)
     }
 
+    /// The biome of most cubes, which those of chunks that are not made get: none of theirs is known.
+    fn most(&self) -> Option<u16> {
+        let mut counts = vec![0; self.names.len()];
+        self.cubes.iter().flatten().for_each(|&number| counts[usize::from(number)] += 1);
+        let most = (0..=u16::MAX).zip(&counts).rev().max_by_key(|(_, count)| **count);
+        most.map(|(number, _)| number)
+    }
+
     /// The biomes of all cells; by columns where they are the same from bottom to top.
     pub fn finish(mut self) -> Option<Biomes> {
         self.cubes.iter().flatten().next()?;
-        if self.cubes.iter().any(Option::is_none) {
-            let void = self.number(VOID)?;
-            self.cubes.mapv_inplace(|number| number.or(Some(void)));
-        }
+        let most = self.most()?;
+        self.cubes.mapv_inplace(|number| number.or(Some(most)));
         let low = cubes(self.part).min;
         let number = |cell: Cell| {
             let [x, y, z] = (cube_of(self.part.min + cell) - low).to_array().map(|n| n as usize);

@@ -25,7 +25,7 @@ mod unpack;
 mod world;
 mod write;
 
-pub(super) use read::decode;
+pub(super) use read::decode_region;
 pub use read::read_world;
 pub use unpack::ChunkProblem;
 pub use write::{EncodedRegions, encode_regions};

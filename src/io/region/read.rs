@@ -15,18 +15,22 @@ use std::path::Path;
 /// The blocks of a world within `part`, or all there are. `path` is a region file, a folder of them, or the folder of
 /// a world that has one. Where the game has made no blocks yet the grid holds `structure_void`.
 pub fn read_world(path: &Path, part: Option<Bounds>, limits: &Limits) -> Result<Decoded, ReadError> {
-    let (grid, warnings) = read(&World::at(path)?, part, limits)?;
-    let about = About { format: Format::Region, version: None };
-    Ok(Decoded { about, content: Content::Grid(grid), warnings })
+    decode(&World::at(path)?, part, limits)
 }
 
 /// All blocks of a region file.
-pub fn decode(bytes: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
-    read(&World::of_bytes(bytes), None, limits)
+pub fn decode_region(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError> {
+    decode(&World::of_bytes(bytes), None, limits)
 }
 
-fn read(world: &World, part: Option<Bounds>, limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
+fn decode(world: &World, part: Option<Bounds>, limits: &Limits) -> Result<Decoded, ReadError> {
     let part = part.map_or_else(|| extent(world, limits), Ok)?;
+    let (grid, warnings) = read(world, part, limits)?;
+    let about = About { format: Format::Region, version: None, place: Some(part.min) };
+    Ok(Decoded { about, content: Content::Grid(grid), warnings })
+}
+
+fn read(world: &World, part: Bounds, limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
     let Bounds { min, max } = part;
     if min.cmpge(max).any() || min.min_element() < -EDGE || max.max_element() > EDGE {
         return Err(ReadError::NoPart { from: min, to: max });
