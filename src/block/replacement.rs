@@ -1,5 +1,6 @@
 use super::{
-    BadBlockState, BadProperty, BlockState, check, complete, counterpart, is_material, known, suggest,
+    BadBlockState, BadProperty, BlockState, Version, check, complete, counterpart, is_material, known,
+    suggest, translated,
 };
 use std::str::FromStr;
 
@@ -27,6 +28,10 @@ pub enum BadReplacement {
         "`{from}` is a material, but `{to}` is a block of none: name the block to replace, as in {from}_planks={to}"
     )]
     NoMaterial { from: String, to: String },
+    #[error(
+        "`{from}` is a block, but `{to}` is a material: name the block to put in its place, as in {from}={to}_planks"
+    )]
+    NoBlock { from: String, to: String },
 }
 
 fn meant(name: &str) -> String {
@@ -93,11 +98,31 @@ impl FromStr for Replacement {
             return Ok(Replacement::Material { from: from.to_owned(), to: to.to_owned() });
         }
         let (from_state, to_state) = (from.parse::<BlockState>()?, to.parse::<BlockState>()?);
+        if is_material(to) && known(to).is_none() {
+            return Err(not_of_material(&from_state, to));
+        }
+        require_legal(&from_state)?;
         require_known(&to_state)?;
         if is_material(from) && known(from).is_none() {
             return Err(BadReplacement::NoMaterial { from: from.to_owned(), to: to.to_owned() });
         }
         Ok(Replacement::Block { from: from_state, to: to_state })
+    }
+}
+
+/// What is looked for must be a state that some version of the game has, or a mod.
+fn require_legal(state: &BlockState) -> Result<(), BadReplacement> {
+    let oldest = Version::all().next().unwrap_or(Version::newest());
+    let raised = translated(state, oldest, Version::newest()).unwrap_or_else(|_| state.clone());
+    Ok(check(state).or_else(|problem| check(&raised).map_err(|_| problem))?)
+}
+
+/// Why a material cannot stand in the place of `from`, which is none.
+fn not_of_material(from: &BlockState, to: &str) -> BadReplacement {
+    let name = from.short_name().to_owned();
+    match known(&name) {
+        None => BadReplacement::Unknown { name },
+        Some(_) => BadReplacement::NoBlock { from: name, to: to.to_owned() },
     }
 }
 
@@ -170,6 +195,13 @@ mod tests {
                 "`oak` is a material, but `glass` is a block of none: name the block to replace, as in oak_planks=glass",
             ),
             ("stone=oak_log[axis=w]", "`oak_log` cannot have axis=w: axis is one of x, y, z"),
+            ("oak_log[axis=w]=stone", "`oak_log` cannot have axis=w: axis is one of x, y, z"),
+            ("ok=spruce", "there is no block or material `ok`"),
+            (
+                "oak_planks=spruce",
+                "`oak_planks` is a block, but `spruce` is a material: name the block to put in its place, as in \
+                 oak_planks=spruce_planks",
+            ),
         ];
         for (text, expected) in cases {
             assert_eq!(message(text), expected);
