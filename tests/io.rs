@@ -4,10 +4,10 @@
 mod axiom;
 #[path = "io/blueprint.rs"]
 mod blueprint;
-#[path = "io/damaged.rs"]
-mod damaged;
 #[path = "io/data.rs"]
 mod data;
+#[path = "common/examples/mod.rs"]
+mod examples;
 #[path = "io/hostile.rs"]
 mod hostile;
 #[path = "io/litematic.rs"]
@@ -35,6 +35,7 @@ mod structure;
 #[path = "io/wild.rs"]
 mod wild;
 
+use examples::tags;
 use vox::grid::Grid;
 use vox::io::{Content, Decoded, Limits, ReadError, decode};
 use vox::nbt::{self, Compound, Tag};
@@ -48,10 +49,6 @@ fn read_grid(bytes: &[u8]) -> Grid {
         Content::Grid(grid) => grid,
         Content::Boxes(_) => panic!("expected a grid"),
     }
-}
-
-fn tags<const N: usize>(tags: [(&str, Tag); N]) -> Compound {
-    tags.map(|(name, tag)| (name.to_owned(), tag)).into()
 }
 
 /// A schematic of 2 x 1 x 2 blocks that every reader takes.
