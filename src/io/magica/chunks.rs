@@ -1,6 +1,7 @@
 //! The bytes of a file: chunks, numbers with the low byte first, texts and dictionaries.
 
 use super::{MOST, MagicaError};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a file holds, chunks that vox has no use for aside.
@@ -8,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) struct File<'a> {
     pub models: Vec<Model<'a>>,
     /// By their numbers.
-    pub nodes: BTreeMap<u32, Node>,
+    pub nodes: BTreeMap<u32, Node<'a>>,
     pub hidden_layers: BTreeSet<u32>,
     /// Entry `i` is the colour of number `i` + 1.
     pub palette: Option<&'a [[u8; 4]]>,
@@ -22,19 +23,21 @@ pub(super) struct Model<'a> {
 }
 
 /// A part of the scene.
-pub(super) enum Node {
-    Transform {
-        child: u32,
-        layer: u32,
-        attributes: Dictionary,
-        frame: Dictionary,
-    },
+pub(super) enum Node<'a> {
+    Transform(Transform<'a>),
     Group(Vec<u32>),
     /// The model of the first frame.
     Shape(Option<u32>),
 }
 
-pub(super) type Dictionary = BTreeMap<String, String>;
+pub(super) struct Transform<'a> {
+    pub child: u32,
+    pub layer: u32,
+    pub hidden: bool,
+    /// Those of the first frame.
+    pub rotation: Option<Cow<'a, str>>,
+    pub translation: Option<Cow<'a, str>>,
+}
 
 pub(super) fn parse(bytes: &[u8]) -> Result<File<'_>, MagicaError> {
     // "VOX " and the version.
@@ -54,17 +57,13 @@ pub(super) fn parse(bytes: &[u8]) -> Result<File<'_>, MagicaError> {
             "RGBA" => file.palette = Some(chunk.quadruples(chunk.bytes.len() / 4)?),
             "LAYR" => {
                 let layer = chunk.number()?;
-                file.hidden_layers.extend(is_hidden(&chunk.dictionary()?).then_some(layer));
+                file.hidden_layers.extend(chunk.is_hidden()?.then_some(layer));
             }
             "nTRN" | "nGRP" | "nSHP" => file.nodes.extend([chunk.node()?]),
             _ => {}
         }
     }
     Ok(file)
-}
-
-pub(super) fn is_hidden(attributes: &Dictionary) -> bool {
-    attributes.get("_hidden").is_some_and(|value| value == "1")
 }
 
 fn model<'a>(
@@ -104,14 +103,31 @@ impl<'a> Reader<'a> {
         Ok(self.take(count as u64 * 4)?.as_chunks::<4>().0)
     }
 
-    fn text(&mut self) -> Result<String, MagicaError> {
+    fn text(&mut self) -> Result<Cow<'a, str>, MagicaError> {
         let len = self.number()?;
-        Ok(String::from_utf8_lossy(self.take(len.into())?).into_owned())
+        Ok(String::from_utf8_lossy(self.take(len.into())?))
     }
 
-    fn dictionary(&mut self) -> Result<Dictionary, MagicaError> {
-        let count = self.number()?;
-        (0..count).map(|_| Ok((self.text()?, self.text()?))).collect()
+    /// The values of a dictionary for `keys`; the last one of several. Nothing else of it is kept, as an entry of a few
+    /// bytes would take many times that.
+    fn dictionary<const N: usize>(
+        &mut self,
+        keys: [&str; N],
+    ) -> Result<[Option<Cow<'a, str>>; N], MagicaError> {
+        let mut values = [const { None }; N];
+        for _ in 0..self.number()? {
+            let (key, value) = (self.text()?, self.text()?);
+            if let Some(at) = keys.iter().position(|&wanted| wanted == key) {
+                values[at] = Some(value);
+            }
+        }
+        Ok(values)
+    }
+
+    /// What a dictionary of attributes says.
+    fn is_hidden(&mut self) -> Result<bool, MagicaError> {
+        let [hidden] = self.dictionary(["_hidden"])?;
+        Ok(hidden.is_some_and(|value| value == "1"))
     }
 
     /// The chunk that comes next. Chunks within it come after it: only `MAIN` has such.
@@ -124,12 +140,12 @@ impl<'a> Reader<'a> {
         Ok(Reader { bytes, ..reader })
     }
 
-    fn node(&mut self) -> Result<(u32, Node), MagicaError> {
-        let (number, attributes) = (self.number()?, self.dictionary()?);
+    fn node(&mut self) -> Result<(u32, Node<'a>), MagicaError> {
+        let (number, hidden) = (self.number()?, self.is_hidden()?);
         Ok((
             number,
             match &self.chunk[..] {
-                "nTRN" => self.transform(attributes)?,
+                "nTRN" => Node::Transform(self.transform(hidden)?),
                 "nGRP" => {
                     let count = self.number()?;
                     Node::Group((0..count).map(|_| self.number()).collect::<Result<_, _>>()?)
@@ -142,12 +158,12 @@ impl<'a> Reader<'a> {
         ))
     }
 
-    fn transform(&mut self, attributes: Dictionary) -> Result<Node, MagicaError> {
+    fn transform(&mut self, hidden: bool) -> Result<Transform<'a>, MagicaError> {
         let child = self.number()?;
         let _reserved = self.number()?;
         let layer = self.number()?;
         let frames = self.number()?;
-        let frame = if frames > 0 { self.dictionary()? } else { Dictionary::new() };
-        Ok(Node::Transform { child, layer, attributes, frame })
+        let [rotation, translation] = if frames > 0 { self.dictionary(["_r", "_t"])? } else { [None, None] };
+        Ok(Transform { child, layer, hidden, rotation, translation })
     }
 }

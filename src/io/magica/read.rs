@@ -2,7 +2,7 @@ use super::MagicaError;
 use super::chunks::{File, Model, parse};
 use super::colors::{default_palette, without_alpha};
 use super::paints;
-use super::scene::{Placed, placed};
+use super::scene::{Placed, visit};
 use crate::grid::Grid;
 use crate::io::error::Size;
 use crate::io::{Limits, ReadError, Warning};
@@ -11,18 +11,18 @@ use crate::space::{Bounds, Cell};
 /// The grid of the models of a scene where they stand.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
     let file = parse(bytes)?;
-    let (models, hidden) = placed(&file)?;
-    let bounds = bounds(&file, &models)?;
-    let cells = bounds.volume().max(voxels(&file, &models));
+    let Extent { bounds, voxels, hidden } = extent(&file)?;
+    let cells = bounds.volume().max(voxels);
     if cells > limits.max_cells {
         return Err(ReadError::TooManyCells { size: Size(bounds.size()), cells, limit: limits.max_cells });
     }
     let mut grid = Grid::new(bounds.size());
     let blocks = blocks(&file, &mut grid)?;
     let mut outside = 0;
-    for placed in &models {
-        outside += fill(&mut grid, bounds.min, &blocks, &file.models[placed.model], placed);
-    }
+    visit(&file, &mut |placed| {
+        outside += fill(&mut grid, bounds.min, &blocks, &file.models[placed.model], &placed);
+        Ok(())
+    })?;
     let frames = if file.nodes.is_empty() { file.models.len() - 1 } else { 0 };
     let warnings = [
         (hidden > 0).then_some(Warning::ModelsHidden(hidden)),
@@ -32,22 +32,29 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), Rea
     Ok((grid, warnings.into_iter().flatten().collect()))
 }
 
-/// How many voxels are placed: a scene may hold a model many times.
-fn voxels(file: &File, models: &[Placed]) -> u64 {
-    models.iter().map(|placed| file.models[placed.model].voxels.len() as u64).sum()
+/// What the models of a scene come to.
+struct Extent {
+    /// Where all of them lie together.
+    bounds: Bounds,
+    /// How many are placed: a scene may hold a model many times.
+    voxels: u64,
+    /// Models that are left out.
+    hidden: usize,
 }
 
-/// Where all models lie together.
-fn bounds(file: &File, models: &[Placed]) -> Result<Bounds, MagicaError> {
+fn extent(file: &File) -> Result<Extent, MagicaError> {
     let mut bounds: Option<Bounds> = None;
-    for placed in models {
-        let size = file.models[placed.model].size;
-        let [a, b] = [[0; 3], size.map(|n| n - 1)].map(|corner| cell(placed, corner, size));
+    let mut voxels = 0;
+    let hidden = visit(file, &mut |placed| {
+        let model = &file.models[placed.model];
+        let [a, b] = [[0; 3], model.size.map(|n| n - 1)].map(|corner| cell(&placed, corner, model.size));
         let (a, b) = (a.ok_or(MagicaError::TooFar)?, b.ok_or(MagicaError::TooFar)?);
         let here = Bounds::new(a.min(b), a.max(b) + 1);
         bounds = Some(bounds.map_or(here, |bounds| bounds.union(&here)));
-    }
-    bounds.ok_or(MagicaError::NoModel)
+        voxels += model.voxels.len() as u64;
+        Ok(())
+    })?;
+    Ok(Extent { bounds: bounds.ok_or(MagicaError::NoModel)?, voxels, hidden })
 }
 
 /// The cell of the voxel `at` of a model; `None` where it lies too far away to be built.

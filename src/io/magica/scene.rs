@@ -1,10 +1,11 @@
 //! Where the models of a scene stand.
 
 use super::MagicaError;
-use super::chunks::{Dictionary, File, Node, is_hidden};
+use super::chunks::{File, Node, Transform};
+use std::slice;
 
 /// So many parts of a scene are looked at. Nodes may be held by several others, so small files can ask for any number.
-const MOST_PARTS: usize = 1 << 20;
+const MOST_PARTS: usize = 1 << 18;
 
 /// A model at its place.
 pub(super) struct Placed {
@@ -44,40 +45,44 @@ impl Motion {
     }
 }
 
-/// The models of the scene in order, and how many of them are hidden and left out. Files without a scene hold one
-/// model, or the frames of an animation, of which the first is taken.
-pub(super) fn placed(file: &File) -> Result<(Vec<Placed>, usize), MagicaError> {
+/// Calls `each` with the models of the scene in order. Gives how many are hidden and left out. Files without a scene
+/// hold one model, or the frames of an animation, of which the first is taken.
+pub(super) fn visit(
+    file: &File,
+    each: &mut dyn FnMut(Placed) -> Result<(), MagicaError>,
+) -> Result<usize, MagicaError> {
     if file.nodes.is_empty() {
-        let first = (!file.models.is_empty()).then_some(Placed { model: 0, motion: Motion::NONE });
-        return Ok((first.into_iter().collect(), 0));
+        (!file.models.is_empty()).then(|| each(Placed { model: 0, motion: Motion::NONE })).transpose()?;
+        return Ok(0);
     }
-    let mut placed = Vec::new();
     let mut hidden = 0;
-    let mut open = vec![(0, Motion::NONE)];
     let mut parts = 0;
-    while let Some((number, motion)) = open.pop() {
-        parts += 1;
-        let children = match file.nodes.get(&number).ok_or(MagicaError::NoNode(number))? {
-            Node::Transform { layer, attributes, .. }
-                if is_hidden(attributes) || file.hidden_layers.contains(layer) =>
-            {
-                hidden += 1;
-                continue;
-            }
-            Node::Transform { child, frame, .. } => vec![(*child, motion.after(motion_of(frame)?))],
-            Node::Group(children) => children.iter().rev().map(|&child| (child, motion)).collect(),
-            Node::Shape(model) => {
-                placed.extend(model.map(|model| place(file, model, motion)).transpose()?);
-                Vec::new()
-            }
+    // The nodes from the root on, by what is left of their children.
+    let mut open = vec![(slice::from_ref(&ROOT).iter(), Motion::NONE)];
+    while let Some((children, motion)) = open.last_mut() {
+        let motion = *motion;
+        let Some(number) = children.next() else {
+            open.pop();
+            continue;
         };
-        if parts + open.len() + children.len() > MOST_PARTS {
+        match file.nodes.get(number).ok_or(MagicaError::NoNode(*number))? {
+            Node::Transform(node) if node.hidden || file.hidden_layers.contains(&node.layer) => hidden += 1,
+            Node::Transform(node) => {
+                open.push((slice::from_ref(&node.child).iter(), motion.after(motion_of(node)?)))
+            }
+            Node::Group(children) => open.push((children.iter(), motion)),
+            Node::Shape(None) => {}
+            Node::Shape(Some(model)) => each(place(file, *model, motion)?)?,
+        }
+        parts += 1;
+        if parts > MOST_PARTS || open.len() > file.nodes.len() + 1 {
             return Err(MagicaError::LongScene(MOST_PARTS));
         }
-        open.extend(children);
     }
-    Ok((placed, hidden))
+    Ok(hidden)
 }
+
+const ROOT: u32 = 0;
 
 fn place(file: &File, model: u32, motion: Motion) -> Result<Placed, MagicaError> {
     let index = usize::try_from(model).ok().filter(|&index| index < file.models.len());
@@ -85,9 +90,9 @@ fn place(file: &File, model: u32, motion: Motion) -> Result<Placed, MagicaError>
     Ok(Placed { model: index, motion })
 }
 
-fn motion_of(frame: &Dictionary) -> Result<Motion, MagicaError> {
-    let axes = frame.get("_r").map_or(Ok(Motion::NONE.axes), |text| rotation(text))?;
-    let shift = frame.get("_t").map_or(Ok([0; 3]), |text| translation(text))?;
+fn motion_of(node: &Transform) -> Result<Motion, MagicaError> {
+    let axes = node.rotation.as_deref().map_or(Ok(Motion::NONE.axes), rotation)?;
+    let shift = node.translation.as_deref().map_or(Ok([0; 3]), translation)?;
     Ok(Motion { axes, shift })
 }
 
