@@ -69,6 +69,10 @@ pub enum ReadError {
          the limit"
     )]
     TooManyVariants { size: Size, cells: u64, variants: usize, limit: u64 },
+    #[error(
+        "the data of blocks take {bytes} bytes in each of {variants} palettes, more than {limit} in all, the limit"
+    )]
+    LargeVariants { bytes: u64, variants: usize, limit: u64 },
     #[error("the size {size} makes {cells} blocks, but `{path}` holds only {bytes} bytes")]
     TooFewBytes { size: Size, cells: u64, path: String, bytes: usize },
 

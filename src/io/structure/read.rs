@@ -21,6 +21,7 @@ pub fn decode(
     check_cells(size, palettes.len(), limits)?;
     let blocks = blocks.finish(&root)?;
     let outside = blocks.iter().filter(|block| !is_inside(size, block)).count();
+    check_data(&blocks, palettes.len(), limits)?;
     let looks = palettes.iter().map(|states| look(size, &blocks, states, jigsaws));
     let mut looks = looks.collect::<Result<Vec<Look>, ReadError>>()?.into_iter();
     let Look { mut grid, replaced, jigsaws } = looks.next().expect("there is a palette");
@@ -57,6 +58,39 @@ fn check_cells(size: Size, variants: usize, limits: &Limits) -> Result<(), ReadE
         }
         true => Err(ReadError::TooManyCells { size, cells, limit: limits.max_cells }),
         false => Ok(()),
+    }
+}
+
+/// Every variant has block entities of its own, which stand in the file but once.
+fn check_data(blocks: &[Placed], variants: usize, limits: &Limits) -> Result<(), ReadError> {
+    let limit = limits.max_bytes;
+    let bytes = blocks.iter().filter_map(|block| block.nbt.as_deref()).map(weight).sum::<u64>();
+    match bytes.saturating_mul(variants as u64 - 1) > limit {
+        true => Err(ReadError::LargeVariants { bytes, variants, limit }),
+        false => Ok(()),
+    }
+}
+
+/// What tags take in memory, or some more.
+fn weight(tags: &Compound) -> u64 {
+    const LEAST: u64 = 600;
+    const ENTRY: u64 = 120;
+    let entries = tags.iter().map(|(name, tag)| ENTRY + name.len() as u64 + weight_beside(tag));
+    LEAST + entries.sum::<u64>()
+}
+
+/// What a value takes beside its place in a list or compound.
+fn weight_beside(tag: &Tag) -> u64 {
+    match tag {
+        Tag::Compound(tags) => weight(tags),
+        Tag::List(entries) => {
+            entries.iter().map(|entry| size_of::<Tag>() as u64 + weight_beside(entry)).sum()
+        }
+        Tag::String(text) => text.len() as u64,
+        Tag::ByteArray(numbers) => size_of_val(&numbers[..]) as u64,
+        Tag::IntArray(numbers) => size_of_val(&numbers[..]) as u64,
+        Tag::LongArray(numbers) => size_of_val(&numbers[..]) as u64,
+        _ => 0,
     }
 }
 
