@@ -2,12 +2,22 @@
 
 use super::ReadError;
 use crate::nbt::{Compound, Tag};
+use std::borrow::Cow;
 
 /// A compound and where it stands in its file.
 #[derive(Clone)]
 pub(super) struct Fields<'a> {
     pub path: String,
     pub tags: &'a Compound,
+}
+
+/// As much of a name as a path holds: every entry of a list has a path of its own, so a long name would count as often.
+fn shown(name: &str) -> Cow<'_, str> {
+    const MOST: usize = 64;
+    match name.char_indices().nth(MOST) {
+        Some((at, _)) => Cow::Owned(format!("{}...", &name[..at])),
+        None => Cow::Borrowed(name),
+    }
 }
 
 /// A value that a tag can hold.
@@ -24,8 +34,9 @@ impl<'a> Fields<'a> {
     }
 
     pub fn path(&self, name: &str) -> String {
+        let name = shown(name);
         match self.path.is_empty() {
-            true => name.to_owned(),
+            true => name.into_owned(),
             false => format!("{}.{name}", self.path),
         }
     }
