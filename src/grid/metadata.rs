@@ -1,4 +1,4 @@
-use crate::nbt::Compound;
+use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
 use ndarray::{Array2, Array3};
 
@@ -57,6 +57,11 @@ pub struct Entity {
     pub place: [f64; 3],
     /// As the game keeps it, with `id` and without `Pos`.
     pub data: Compound,
+}
+
+/// Whether the data of an entity or a block entity say what it is.
+pub fn is_named(data: &Compound) -> bool {
+    matches!(data.get("id"), Some(Tag::String(_)))
 }
 
 /// The biomes of a grid, by numbers of their names.

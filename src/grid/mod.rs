@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 pub use anchor::{Anchor, NoDoor};
 pub use diff::{BlockDiff, Diff};
 pub use labelled::{LabelledBox, LabelledBoxes};
-pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region};
+pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region, is_named};
 pub use oddity::Oddity;
 pub use replace::Replaced;
 

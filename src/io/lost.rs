@@ -1,4 +1,4 @@
-use crate::grid::{Dialect, Grid};
+use crate::grid::{Dialect, Grid, is_named};
 use crate::space::Cell;
 use std::fmt;
 use std::mem::discriminant;
@@ -39,7 +39,7 @@ impl Lost {
     }
 
     pub(super) fn unnamed_block_entities(grid: &Grid) -> Option<Lost> {
-        let unnamed = grid.block_entities.values().filter(|data| !data.contains_key("id"));
+        let unnamed = grid.block_entities.values().filter(|data| !is_named(data));
         some(unnamed.count(), Lost::UnnamedBlockEntities)
     }
 

@@ -304,9 +304,10 @@ fn leniencies_are_told_of() {
     assert_eq!(read(&bytes).unwrap().warnings, [Warning::BlocksOutside(2), Warning::BlocksReplaced(2)]);
 
     let pos = Tag::List([0.0; 3].map(Tag::Double).to_vec());
-    let unnamed = tags([("pos", pos), ("nbt", Tag::Compound(Compound::new()))]);
-    let bytes = with([("entities", Tag::List(vec![Tag::Compound(unnamed)]))]);
-    assert_eq!(read(&bytes).unwrap().warnings, [Warning::EntitiesUnnamed(1)]);
+    let entity = |nbt| Tag::Compound(tags([("pos", pos.clone()), ("nbt", Tag::Compound(nbt))]));
+    let unnamed = [Compound::new(), tags([("id", Tag::Int(7))])].map(entity);
+    let bytes = with([("entities", Tag::List(unnamed.to_vec()))]);
+    assert_eq!(read(&bytes).unwrap().warnings, [Warning::EntitiesUnnamed(2)]);
 }
 
 #[test]

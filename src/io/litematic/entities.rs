@@ -2,7 +2,7 @@
 
 use super::XYZ;
 use super::region::Part;
-use crate::grid::{Entity, Grid};
+use crate::grid::{Entity, Grid, is_named};
 use crate::io::{ReadError, Warning, attached};
 use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
@@ -50,7 +50,7 @@ fn read_entities(part: &Part, grid: &mut Grid) -> Result<usize, ReadError> {
         let mut data = fields.tags.clone();
         data.remove("Pos");
         attached::shift(&mut data, by, place);
-        match data.contains_key("id") {
+        match is_named(&data) {
             true => grid.metadata.entities.push(Entity { place, data }),
             false => unnamed += 1,
         }
@@ -61,7 +61,7 @@ fn read_entities(part: &Part, grid: &mut Grid) -> Result<usize, ReadError> {
 /// The block entities within `bounds`. Those without an `id` stay away: clients crash on them.
 pub(super) fn write_block_entities(grid: &Grid, bounds: Bounds) -> Tag {
     let entries = grid.block_entities.iter().filter_map(|(&place, data)| {
-        let is_written = bounds.contains(Cell::from_array(place)) && data.contains_key("id");
+        let is_written = bounds.contains(Cell::from_array(place)) && is_named(data);
         is_written.then(|| {
             let mut data = data.clone();
             let place = (Cell::from_array(place) - bounds.min).to_array();

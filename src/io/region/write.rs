@@ -6,7 +6,7 @@ use super::table::{HEAD, SECTOR};
 use super::world::beside_name;
 use super::{CHUNK, REGION, biomes};
 use crate::block::{Palette, complete};
-use crate::grid::Grid;
+use crate::grid::{Grid, is_named};
 use crate::io::{DEFAULT_DATA_VERSION, Lost, WriteError};
 use crate::nbt::{self, Compound, Tag};
 use crate::space::{Bounds, Cell};
@@ -227,7 +227,7 @@ impl Build<'_> {
     fn block_entities(&self, within: Bounds) -> Tag {
         let places = self.grid.block_entities.iter().filter_map(|(&place, data)| {
             let place = self.at.checked_add(Cell::from_array(place))?;
-            (within.contains(place) && data.contains_key("id")).then(|| {
+            (within.contains(place) && is_named(data)).then(|| {
                 let mut data = data.clone();
                 let place = ["x", "y", "z"].into_iter().zip(place.to_array());
                 data.extend(place.map(|(name, n)| (name.to_owned(), Tag::Int(n))));

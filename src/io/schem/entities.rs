@@ -8,7 +8,7 @@
 
 use super::SchemVersion;
 use super::body::Entry;
-use crate::grid::{Entity, Grid};
+use crate::grid::{Entity, Grid, is_named};
 use crate::io::{ReadError, Warning};
 use crate::nbt::{Compound, Compounds, Part, Tag, View};
 use crate::space::{Bounds, Cell};
@@ -52,7 +52,7 @@ pub(super) fn entities(
         entities.push(Entity { place, data: data(entry)? });
     }
     let found = entities.len();
-    entities.retain(|entity| entity.data.contains_key("id"));
+    entities.retain(|entity| is_named(&entity.data));
     let unnamed = found - entities.len();
     warnings.extend((unnamed > 0).then_some(Warning::EntitiesUnnamed(unnamed)));
     Ok(entities)
@@ -93,7 +93,7 @@ pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Compounds<'_
         let place = shift(entity.place, corner.as_dvec3()).map(Tag::Double);
         view(Tag::List(place.to_vec()), &entity.data, version)
     });
-    let len = entities.iter().filter(|entity| entity.data.contains_key("id")).count();
+    let len = entities.iter().filter(|entity| is_named(&entity.data)).count();
     Compounds { len, each: Box::new(entries) }
 }
 
@@ -103,7 +103,7 @@ fn view(place: Tag, data: &Compound, version: SchemVersion) -> Option<View<'_>> 
     let mut rest = Vec::with_capacity(data.len() + 1);
     for (name, tag) in data {
         match name.as_str() {
-            "id" => id = Some(tag),
+            "id" => id = is_named(data).then_some(tag),
             "Id" | "Pos" => {}
             name => rest.push((name, Part::Tag(tag))),
         }

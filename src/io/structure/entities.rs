@@ -1,4 +1,4 @@
-use crate::grid::{Entity, Grid};
+use crate::grid::{Entity, Grid, is_named};
 use crate::io::fields::Fields;
 use crate::io::{ReadError, attached};
 use crate::nbt::{Compound, Tag};
@@ -15,7 +15,7 @@ pub(super) fn read(root: &Fields) -> Result<(Vec<Entity>, usize), ReadError> {
         if let Some(block) = fields.find("blockPos")? {
             attached::set_block(&mut data, Cell::from_array(block));
         }
-        match data.contains_key("id") {
+        match is_named(&data) {
             true => entities.push(Entity { place, data }),
             false => unnamed += 1,
         }
