@@ -109,14 +109,14 @@ impl crate::io::fields::FromTag<'_> for SectionHeight {
     }
 }
 
-/// The blocks of a section and the part of the world that they fill.
-pub(super) fn blocks(
+/// The blocks of each section and the part of the world that they fill. One section at a time: unpacked they take
+/// eight times the memory.
+pub(super) fn blocks<'a>(
     column: Column,
-    sections: &[(i32, Fields)],
-) -> Result<Vec<(Bounds, Section)>, ReadError> {
-    let each = sections.iter().filter_map(|(height, fields)| {
+    sections: &'a [(i32, Fields)],
+) -> impl Iterator<Item = Result<(Bounds, Section), ReadError>> + 'a {
+    sections.iter().filter_map(move |(height, fields)| {
         let section = section::read(fields).transpose()?;
         Some(section.map(|section| (column.section(*height), section)))
-    });
-    each.collect()
+    })
 }

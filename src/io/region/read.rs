@@ -4,7 +4,7 @@ use super::section::Section;
 use super::world::World;
 use super::{CHUNK, EDGE};
 use crate::block::BlockState;
-use crate::grid::{Entity, Grid};
+use crate::grid::{Entity, Grid, is_named};
 use crate::io::error::Size;
 use crate::io::fields::Fields;
 use crate::io::{About, Content, Decoded, Format, Limits, ReadError, Warning};
@@ -58,9 +58,11 @@ fn extent(world: &World, limits: &Limits) -> Result<Bounds, ReadError> {
     for region in &world.blocks {
         region.visit(None, limits, &mut |chunk| {
             let Some(column) = chunk.column()? else { return Ok(()) };
-            let sections = blocks(column, &chunk.sections()?)?;
-            let filled = sections.iter().filter_map(|(at, section)| filled(*at, section));
-            extent = extent.into_iter().chain(filled).reduce(|all, next| all.union(&next));
+            for section in blocks(column, &chunk.sections()?) {
+                let (at, section) = section?;
+                let both = extent.into_iter().chain(filled(at, &section));
+                extent = both.reduce(|all, next| all.union(&next));
+            }
             Ok(())
         })?;
         if let Some(Bounds { min, max }) = extent.filter(|extent| extent.volume() > limits.max_cells) {
@@ -121,7 +123,8 @@ impl Reading {
         for (height, fields) in &sections {
             self.biomes.add(column.section(*height), fields)?;
         }
-        for (at, section) in blocks(column, &sections)? {
+        for section in blocks(column, &sections) {
+            let (at, section) = section?;
             self.fill(at, &section)?;
         }
         for fields in chunk.block_entities()? {
@@ -169,7 +172,7 @@ impl Reading {
             }
             let mut data = fields.tags.clone();
             data.remove("Pos");
-            if !data.contains_key("id") {
+            if !is_named(&data) {
                 self.unnamed_entities += 1;
                 continue;
             }
