@@ -525,6 +525,8 @@ fn grids_that_have_no_file() {
         bounds: Bounds::new(Cell::new(x, 0, 0), Cell::new(x + 1, 1, 1)),
         tags: Compound::new(),
     };
+    let whole = encode_litematic(&far, LitematicVersion::V6).unwrap_err();
+    assert!(matches!(whole, WriteError::Offset(_)), "its end is too far to be read: {whole}");
     far.metadata.regions = vec![region(0), region(1)];
     let error = encode_litematic(&far, LitematicVersion::V6).unwrap_err().to_string();
     assert_eq!(

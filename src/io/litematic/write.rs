@@ -6,7 +6,7 @@ use crate::io::error::Size;
 use crate::io::states::Complete;
 use crate::io::{Encoded, Lost, WriteError, gzip};
 use crate::nbt::{self, Compound, Endian, Tag};
-use crate::space::{Bounds, Cell};
+use crate::space::Cell;
 
 /// The versions of the format that are written. They differ only in the game's data, which are left alone.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -62,9 +62,9 @@ fn regions(grid: &Grid, pieces: &[Piece]) -> Result<(Compound, Totals), WriteErr
 
 /// A region without what is in it, but with its block entities, which have their places there.
 fn placed(grid: &Grid, piece: &Piece) -> Result<Compound, WriteError> {
-    let Bounds { min, .. } = piece.bounds;
     let offset = grid.metadata.offset;
-    let position = min.checked_add(offset).ok_or(WriteError::Offset(offset))?;
+    let corners = [piece.bounds.min, piece.bounds.max].map(|corner| corner.checked_add(offset));
+    let [Some(position), Some(_)] = corners else { return Err(WriteError::Offset(offset)) };
     let mut tags = piece.tags.cloned().unwrap_or_default();
     for name in PENDING {
         tags.entry(name.to_owned()).or_insert(Tag::List(Vec::new()));
