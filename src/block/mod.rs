@@ -3,6 +3,7 @@
 mod bedrock;
 mod boxes;
 mod color;
+mod completion;
 mod counterpart;
 mod facing;
 mod family;
@@ -23,6 +24,7 @@ mod version;
 pub use bedrock::bedrock_state;
 pub use boxes::{Cuboid, boxes};
 pub use color::{Rgba, color};
+pub use completion::{complete_in, filled_in, is_complete};
 pub use counterpart::{counterpart, is_material};
 pub use facing::Facing;
 pub use family::Family;

@@ -10,7 +10,7 @@ pub fn suggest(name: &str) -> Option<&'static str> {
 }
 
 /// The Levenshtein distance: how many bytes must be put in, taken out or replaced to make `a` into `b`.
-fn distance(a: &str, b: &str) -> usize {
+pub(super) fn distance(a: &str, b: &str) -> usize {
     let mut row: Vec<usize> = (0..=b.len()).collect();
     for (i, x) in a.bytes().enumerate() {
         let mut diagonal = row[0];

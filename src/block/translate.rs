@@ -22,20 +22,17 @@ pub fn legal_in(state: &BlockState, version: Version) -> bool {
         })
 }
 
-/// What `state` of version `from` is in version `to`. Properties that came in between are left out where they
-/// say no more than their default; walls and jigsaws take what comes nearest.
+/// What `state` of version `from` is in version `to`, by way of the newest one: what `to` does not have is told
+/// even where `from` does not have it either. Newer properties are left out where they say no more than their default;
+/// walls and jigsaws take what comes nearest.
 pub fn translated(state: &BlockState, from: Version, to: Version) -> Result<BlockState, Newer> {
     if is_foreign(state) {
         return Ok(state.clone());
     }
-    if from <= to {
-        let passed = Version::all().filter(|at| from < *at && *at <= to);
-        return Ok(passed.fold(state.clone(), raised));
-    }
-    let mut passed = Version::all().rev().filter(|at| to < *at && *at <= from);
-    passed.try_fold(state.clone(), |old, at| {
-        lowered(old, at).ok_or_else(|| Newer { state: state.clone(), needs: at })
-    })
+    let newest = Version::all().filter(|at| from < *at).fold(state.clone(), raised);
+    let mut passed = Version::all().rev().filter(|at| to < *at);
+    passed
+        .try_fold(newest, |old, at| lowered(old, at).ok_or_else(|| Newer { state: state.clone(), needs: at }))
 }
 
 fn is_foreign(state: &BlockState) -> bool {
@@ -135,11 +132,11 @@ fn holds(state: &BlockState, pattern: &Pattern) -> bool {
 
 /// `state` as `into` has it, if it is as `from` has it.
 fn exchanged(state: &BlockState, from: &Pattern, into: &Pattern) -> Option<BlockState> {
-    let named = match into.name.contains('*') {
-        true => state.clone(),
-        false => state.renamed(into.name),
-    };
     holds(state, from).then(|| {
+        let named = match into.name.contains('*') {
+            true => state.clone(),
+            false => state.renamed(into.name),
+        };
         let kept = from.properties.iter().fold(named, |state, (key, _)| state.without(key));
         into.properties.iter().fold(kept, |state, (key, value)| state.with(key, value))
     })

@@ -1,3 +1,5 @@
+use super::suggest::distance;
+use std::cmp::Reverse;
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -47,9 +49,23 @@ impl Version {
         Version::all().find(|version| version.name() == name)
     }
 
+    /// The versions whose names are most like `name`, as `1.20.1`, `1.20.2` and so on are like `1.20.9`.
+    pub fn like(name: &str) -> Vec<Version> {
+        const SHOWN: usize = 3;
+        let mut all: Vec<Version> = Version::all().rev().collect();
+        all.sort_by_key(|version| (distance(name, version.name()), Reverse(shared(name, version.name()))));
+        all.truncate(SHOWN);
+        all
+    }
+
     /// The latest version that is not newer than a data version; `None` before 1.13.
     pub fn of_data(data_version: i32) -> Option<Version> {
         Version::all().take_while(|version| version.data_version() <= data_version).last()
+    }
+
+    /// The first version that names blocks as all later ones do.
+    pub fn oldest() -> Version {
+        Version(0)
     }
 
     /// The newest version there is anything known of.
@@ -83,6 +99,11 @@ impl fmt::Display for Version {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
+}
+
+/// How many bytes two texts begin with alike.
+fn shared(a: &str, b: &str) -> usize {
+    a.bytes().zip(b.bytes()).take_while(|(a, b)| a == b).count()
 }
 
 fn releases() -> &'static [Release] {

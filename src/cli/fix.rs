@@ -28,12 +28,13 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
 
 /// Mends a grid by the rules of the newest version, in the words of its own.
 fn mend_in_version(grid: &mut Grid) -> Result<Mended, PaletteFull> {
-    let newest = Version::newest();
-    let own = grid.metadata.data_version.and_then(Version::of_data).unwrap_or(newest);
+    let (own, newest) = (grid.metadata.version(), Version::newest());
+    let said = grid.metadata.data_version.replace(newest.data_version());
     let moved =
         |from, to| move |state: &BlockState| translated(state, from, to).unwrap_or_else(|_| state.clone());
     grid.map_states(moved(own, newest))?;
     let mended = mend(grid)?;
+    grid.metadata.data_version = said;
     grid.map_states(moved(newest, own))?;
     Ok(mended)
 }

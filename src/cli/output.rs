@@ -117,8 +117,11 @@ fn litematic_version(text: &str) -> Result<LitematicVersion, String> {
 }
 
 fn game_version(text: &str) -> Result<Version, String> {
-    let newest = Version::newest();
-    Version::named(text).ok_or_else(|| format!("expected a version from 1.13 to {newest}, as in 1.20.1"))
+    Version::named(text).ok_or_else(|| {
+        let like: Vec<String> = Version::like(text).iter().map(Version::to_string).collect();
+        let (oldest, newest) = (Version::oldest(), Version::newest());
+        format!("expected a version from {oldest} to {newest}; did you mean {}?", like.join(", "))
+    })
 }
 
 impl Writing {
@@ -235,13 +238,12 @@ fn of_whole(lost: Lost, grid: &Grid) -> Option<Lost> {
 
 /// Brings the blocks to another version of the game, or names those that it does not have.
 fn to_version(name: &str, grid: &mut Grid, to: Version) -> Result<(), Failure> {
-    let from = grid.metadata.data_version.map_or(Some(Version::newest()), Version::of_data);
-    let from = from.or(Version::all().next()).unwrap_or(to);
+    let from = grid.metadata.version();
     let builds = std::iter::once(&*grid).chain(&grid.variants);
     let states = builds.flat_map(|build| build.counts()).map(|(state, _)| state);
     let newer = states.filter_map(|state| block::translated(state, from, to).err());
     let newer: BTreeSet<String> =
-        newer.map(|Newer { state, needs }| format!("{} ({needs})", state.short_name())).collect();
+        newer.map(|Newer { state, needs }| format!("{} ({needs})", newer_part(&state, to))).collect();
     if !newer.is_empty() {
         let names = newer.into_iter().collect::<Vec<String>>().join(", ");
         let failure = Failure::of_file(name, format!("Minecraft {to} does not have {names}"));
@@ -258,6 +260,12 @@ fn to_version(name: &str, grid: &mut Grid, to: Version) -> Result<(), Failure> {
     grid.map_states(change).map_err(|error| Failure::of_file(name, error))?;
     grid.metadata.data_version = Some(to.data_version());
     Ok(())
+}
+
+/// The block, or its state where `version` has the block in others.
+fn newer_part(state: &BlockState, version: Version) -> String {
+    let bare = state.properties().fold(state.clone(), |bare, (key, _)| bare.without(key));
+    if block::legal_in(&bare, version) { state.short() } else { bare.short() }
 }
 
 /// The region files of a grid in the folder of a world. Those that are there hold other chunks, and stay.

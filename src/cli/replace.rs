@@ -7,6 +7,7 @@ use super::summary::counted;
 use super::template::Template;
 use crate::block::{self, BlockState, Replacement};
 use crate::grid::Replaced;
+use crate::neighbours::settle;
 use std::path::PathBuf;
 
 /// Replace blocks by others: whole materials, single blocks or states
@@ -46,6 +47,8 @@ pub fn execute(args: Args) -> Result<(), Failure> {
         if replaced.blocks.iter().all(|count| *count == 0) {
             return Err(missed(name, &before, &replacements[0]));
         }
+        // What the old blocks could not say of the new ones their neighbours do.
+        settle(&mut grid).map_err(|error| Failure::of_file(name, error))?;
         tell(name, &before, &replacements, &replaced);
         Ok(grid)
     })

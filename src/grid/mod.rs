@@ -22,7 +22,9 @@ use std::collections::BTreeMap;
 pub use anchor::{Anchor, NoDoor};
 pub use diff::{BlockDiff, Diff};
 pub use labelled::{LabelledBox, LabelledBoxes};
-pub use metadata::{BiomeMap, Biomes, Dialect, Entity, Metadata, Own, Region, is_named};
+pub use metadata::{
+    BiomeMap, Biomes, DEFAULT_DATA_VERSION, Dialect, Entity, Metadata, Own, Region, is_named,
+};
 pub use oddity::Oddity;
 pub use replace::Replaced;
 

@@ -1,5 +1,5 @@
 use super::{Grid, entity};
-use crate::block::{self, BlockState, Facing};
+use crate::block::{self, BlockState, Facing, Version};
 use crate::nbt::Tag;
 use crate::space::Cell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -34,7 +34,7 @@ impl Grid {
             self.block_entities.keys().filter(|place| self.get(Cell::from_array(**place)).is_nothing());
         let found = [
             Some(Oddity::UnknownBlocks(unknown(&states))),
-            self.has_known_states().then(|| Oddity::BadStates(bad(&states))),
+            Some(Oddity::BadStates(self.bad_states(&states))),
             Some(Oddity::Halves(self.lone_halves())),
             Some(Oddity::EmptyBlockEntities(empty.count())),
             Some(Oddity::UnnamedBlockEntities(unnamed.count())),
@@ -44,10 +44,14 @@ impl Grid {
         found.into_iter().flatten().filter(|oddity| !oddity.is_none()).collect()
     }
 
-    /// Blocks had other properties before 1.20, so nothing can be said of states of those times.
-    fn has_known_states(&self) -> bool {
-        const FIRST: i32 = 3463;
-        self.metadata.data_version.is_none_or(|version| version >= FIRST)
+    /// What blocks cannot be in the version of the build; in any where it does not say its version. Nothing is known
+    /// of states before 1.13.
+    fn bad_states(&self, states: &[&BlockState]) -> BTreeSet<String> {
+        match self.metadata.data_version.map(Version::of_data) {
+            Some(None) => BTreeSet::new(),
+            Some(Some(version)) => states.iter().filter_map(|state| bad_in(state, version)).collect(),
+            None => states.iter().filter_map(|state| bad(state)).collect(),
+        }
     }
 
     fn lone_halves(&self) -> BTreeMap<String, u64> {
@@ -85,8 +89,19 @@ fn unknown(states: &[&BlockState]) -> BTreeSet<String> {
     unknown.map(|state| state.short_name().to_owned()).collect()
 }
 
-fn bad(states: &[&BlockState]) -> BTreeSet<String> {
-    states.iter().filter_map(|state| block::check(state).err()).map(|problem| problem.to_string()).collect()
+fn bad(state: &BlockState) -> Option<String> {
+    block::check(state).err().map(|problem| problem.to_string())
+}
+
+/// Why `version` does not have `state`.
+fn bad_in(state: &BlockState, version: Version) -> Option<String> {
+    let new = block::translated(state, version, Version::newest()).unwrap_or_else(|_| state.clone());
+    if let Some(problem) = bad(&new) {
+        return Some(problem);
+    }
+    let newer = || block::translated(state, version, version).err().map(|newer| newer.to_string());
+    let unknown = || format!("`{}` is not of Minecraft {version}", state.short());
+    (!block::legal_in(state, version)).then(|| newer().unwrap_or_else(unknown))
 }
 
 impl Oddity {
@@ -171,7 +186,21 @@ mod tests {
             "the file does not say which game version it is of",
         ];
         assert_eq!(told(&grid), expected);
-        grid.metadata.data_version = Some(2586);
-        assert!(!told(&grid).iter().any(|line| line.contains("lit")));
+    }
+
+    #[test]
+    fn states_are_held_against_the_version_of_the_build() {
+        let mut grid = row(&["cobblestone_wall[east=true]", "chain[axis=x]", "cherry_planks", "grass_path"]);
+        let mut told_of = |data_version| {
+            grid.metadata.data_version = Some(data_version);
+            told(&grid)
+        };
+        let wall = "`cobblestone_wall` cannot have east=true: east is one of none, low, tall";
+        let cherry = "`cherry_planks` needs Minecraft 1.19.4";
+        let chain = "`chain[axis=x]` needs Minecraft 1.16.2";
+        assert_eq!(told_of(2230), [format!("{chain}; {cherry}")]);
+        assert_eq!(told_of(2586), [format!("{cherry}; {wall}")]);
+        assert_eq!(told_of(3465), [format!("{wall}; `grass_path` is not of Minecraft 1.20.1")]);
+        assert_eq!(told_of(1343), [""; 0]);
     }
 }

@@ -134,10 +134,6 @@ pub enum ReadError {
         place(.to)
     )]
     NoPart { from: Cell, to: Cell },
-    #[error(
-        "`{path}` holds blocks by number, as before Minecraft 1.13, which vox does not read from regions"
-    )]
-    NumberedBlocks { path: String },
     #[error("`{path}` is empty: expected a block state at least")]
     NoStates { path: String },
     #[error("`{path}` holds {longs} longs, into which {count} indices of {entries} entries are never packed")]

@@ -2,7 +2,7 @@
 
 use super::ReadError;
 use super::fields::{self, Fields};
-use crate::block::{self, BlockState, Palette};
+use crate::block::{BlockState, Palette, Version, complete_in};
 use crate::nbt::{Compound, Tag};
 
 /// The states of the list at `path`, in its order.
@@ -35,7 +35,7 @@ pub(super) fn write(state: &BlockState) -> Tag {
     Tag::Compound(entry)
 }
 
-/// The states of a palette with all their properties, each once.
+/// The states of a palette with all properties that they have in a version of the game, each once.
 pub(super) struct Complete {
     pub states: Vec<BlockState>,
     /// Their numbers by those of the palette they come from.
@@ -43,9 +43,9 @@ pub(super) struct Complete {
 }
 
 impl Complete {
-    pub fn of(palette: &Palette) -> Complete {
+    pub fn of(palette: &Palette, version: Version) -> Complete {
         let mut complete = Palette::default();
-        let numbers = palette.states().iter().map(|state| complete.intern(&block::complete(state)));
+        let numbers = palette.states().iter().map(|state| complete.intern(&complete_in(state, version)));
         let numbers = numbers.collect::<Result<_, _>>().expect("no more states than in a full palette");
         Complete { states: complete.states().to_vec(), numbers }
     }

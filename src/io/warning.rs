@@ -25,7 +25,7 @@ pub enum Warning {
     ChunksNotMade(usize),
     #[error("{0} chunks say that they belong elsewhere and are left out")]
     ChunksMisplaced(usize),
-    #[error("the chunks are of the data versions {first} to {last}: the highest is believed")]
+    #[error("the chunks are of the data versions {first} to {last}: blocks take the states of the highest")]
     MixedVersions { first: i32, last: i32 },
     #[error("biomes are kept by number, as before Minecraft 1.18, and are left out")]
     BiomesByNumber,

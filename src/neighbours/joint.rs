@@ -84,18 +84,12 @@ impl Joint {
 pub fn is_open(state: &BlockState) -> bool {
     let Some(known) = block::known(state.name()) else { return false };
     // Most states say everything, which is quickly seen.
-    !is_complete(state) && Joint::of(state).is_some_and(|joint| leaves_open(state, known, joint))
+    !block::is_complete(state) && Joint::of(state).is_some_and(|joint| leaves_open(state, known, joint))
 }
 
 /// The properties of a block that its neighbours decide.
 pub fn decided(state: &BlockState) -> &'static [&'static str] {
     Joint::of(state).map_or(&[], Joint::keys)
-}
-
-/// Whether no property is absent.
-pub fn is_complete(state: &BlockState) -> bool {
-    let properties = block::known(state.name()).map_or(&[][..], Known::properties);
-    properties.iter().all(|property| state.get(property.key).is_some())
 }
 
 fn leaves_open(state: &BlockState, known: &Known, joint: Joint) -> bool {

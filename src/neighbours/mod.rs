@@ -15,7 +15,7 @@ mod stairs;
 mod unsettle;
 mod walls;
 
-use crate::block::{self, PaletteFull};
+use crate::block::{self, PaletteFull, Version};
 use crate::grid::Grid;
 use crate::space::Cell;
 use joint::Joint;
@@ -26,11 +26,17 @@ pub use mend::{Mended, mend};
 pub use unsettle::unsettle;
 
 /// Gives every open state of the grid and its variants what its neighbours ask for, and every other absent
-/// property its default. States that become equal are one in the palette.
+/// property its default, as far as the grid's version of the game has them. States that become equal are one in the
+/// palette.
 pub fn settle(grid: &mut Grid) -> Result<(), PaletteFull> {
-    grid.variants.iter_mut().try_for_each(settle)?;
+    settle_in(grid, grid.metadata.version())
+}
+
+/// Settles a grid whose states are of `version`.
+fn settle_in(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {
+    grid.variants.iter_mut().try_for_each(|variant| settle_in(variant, version))?;
     if grid.palette().states().iter().any(joint::is_open) {
-        let mut site = Site::new(grid);
+        let mut site = Site::new(grid, version);
         halves::settle(&mut site)?;
         chests::settle(&mut site)?;
         // What is fixed to stairs depends on their corners, and walls on what stands on them.
@@ -38,7 +44,7 @@ pub fn settle(grid: &mut Grid) -> Result<(), PaletteFull> {
         site.each(&JOINED, joined)?;
         site.each(&[Joint::Wall], walls::arms_and_post)?;
     }
-    complete(grid)
+    complete(grid, version)
 }
 
 /// Blocks whose answers do not depend on each other's.
@@ -67,9 +73,9 @@ fn joined(site: &Site<'_>, cell: Cell) -> Answer {
     }
 }
 
-fn complete(grid: &mut Grid) -> Result<(), PaletteFull> {
-    match grid.palette().states().iter().all(joint::is_complete) {
+fn complete(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {
+    match grid.palette().states().iter().all(block::is_complete) {
         true => Ok(()),
-        false => grid.map_states(block::complete),
+        false => grid.map_states(|state| block::complete_in(state, version)),
     }
 }

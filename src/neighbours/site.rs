@@ -1,5 +1,7 @@
 use super::joint::{Joint, is_open};
-use crate::block::{BlockState, Bottom, PaletteFull, Shape, Sides, bottom, shape, sturdy};
+use crate::block::{
+    BlockState, Bottom, PaletteFull, Shape, Sides, Version, bottom, filled_in, shape, sturdy,
+};
 use crate::grid::Grid;
 use crate::space::Cell;
 use rustc_hash::FxHashMap;
@@ -41,14 +43,16 @@ impl Block {
 /// A grid at work: what is known of its blocks, and the answers given so far.
 pub struct Site<'g> {
     grid: &'g mut Grid,
+    /// What the states are of; the rules speak as the newest version does.
+    version: Version,
     blocks: Vec<Block>,
     answers: FxHashMap<(u16, Answer), u16>,
 }
 
 impl<'g> Site<'g> {
-    pub fn new(grid: &'g mut Grid) -> Site<'g> {
+    pub fn new(grid: &'g mut Grid, version: Version) -> Site<'g> {
         let blocks = grid.palette().states().iter().map(Block::of).collect();
-        Site { grid, blocks, answers: FxHashMap::default() }
+        Site { grid, version, blocks, answers: FxHashMap::default() }
     }
 
     fn id(&self, cell: Cell) -> u16 {
@@ -112,8 +116,7 @@ impl<'g> Site<'g> {
             Some(&id) => id,
             None => {
                 let (own, answer) = (self.state(cell), &key.1);
-                let absent = answer.iter().filter(|(key, _)| own.get(key).is_none());
-                let state = absent.fold(own.clone(), |state, (key, value)| state.with(key, value));
+                let state = filled_in(own, self.version, |own| filled(own, answer));
                 let id = self.intern(&state)?;
                 self.answers.insert(key, id);
                 id
@@ -137,6 +140,12 @@ impl<'g> Site<'g> {
         }
         Ok(id)
     }
+}
+
+/// `own` with the properties of `answer` that it has not.
+fn filled(own: &BlockState, answer: &Answer) -> BlockState {
+    let absent = answer.iter().filter(|(key, _)| own.get(key).is_none());
+    absent.fold(own.clone(), |state, (key, value)| state.with(key, value))
 }
 
 impl Block {

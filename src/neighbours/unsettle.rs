@@ -1,5 +1,5 @@
-use super::{bare, settle};
-use crate::block::PaletteFull;
+use super::{bare, settle_in};
+use crate::block::{PaletteFull, Version};
 use crate::grid::Grid;
 
 /// Rounds after which everything stays written that neighbours could decide.
@@ -8,13 +8,17 @@ const MOST_ROUNDS: usize = 16;
 /// Takes off what neighbours decide, wherever [`settle`] gives it back: settling the grid again gives what
 /// settling it before would have given.
 pub fn unsettle(grid: &mut Grid) -> Result<(), PaletteFull> {
-    settle(grid)?;
-    grid.variants.iter_mut().try_for_each(unsettle)?;
+    unsettle_in(grid, grid.metadata.version())
+}
+
+fn unsettle_in(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {
+    settle_in(grid, version)?;
+    grid.variants.iter_mut().try_for_each(|variant| unsettle_in(variant, version))?;
     if grid.palette().states().iter().all(|state| bare(state) == *state) {
         return Ok(());
     }
     let variants = std::mem::take(&mut grid.variants);
-    if let Some(open) = open(grid)? {
+    if let Some(open) = open(grid, version)? {
         *grid = open;
     }
     grid.variants = variants;
@@ -22,12 +26,12 @@ pub fn unsettle(grid: &mut Grid) -> Result<(), PaletteFull> {
 }
 
 /// The whole grid with bare states in all cells where that is enough.
-fn open(whole: &Grid) -> Result<Option<Grid>, PaletteFull> {
+fn open(whole: &Grid, version: Version) -> Result<Option<Grid>, PaletteFull> {
     let mut written = vec![false; whole.cells().len()];
     for _ in 0..MOST_ROUNDS {
         let open = bared(whole, &written)?;
         let mut settled = open.clone();
-        settle(&mut settled)?;
+        settle_in(&mut settled, version)?;
         let differing = differing(whole, &settled);
         if differing.is_empty() {
             return Ok(Some(open));

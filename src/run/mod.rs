@@ -76,8 +76,8 @@ pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made
     let mut grid = Grid::new(scope.bounds.size());
     let mut brushes = brush::Brushes::new(library);
     let warnings = derive(graph, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
-    settle(&mut grid).map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
     grid.metadata.data_version = graph.data_version;
+    settle(&mut grid).map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
     Ok(Made { made: grid, warnings })
 }
 

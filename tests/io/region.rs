@@ -1,6 +1,6 @@
 //! Regions: worlds written and read, old layouts, other readers' opinions, and damage.
 
-use super::examples::region::{KINDS, chunk_1_13, chunk_1_16, compound, old_index, region};
+use super::examples::region::{KINDS, chunk_1_13, chunk_1_16, compound, old_chunk, old_index, region};
 use super::{read, read_grid, tags};
 use fastanvil::{Chunk, CurrentJavaChunk};
 use ndarray::Array3;
@@ -265,6 +265,125 @@ fn chunks_since_1_13_are_read_in_both_packings_and_all_compressions() {
     }
 }
 
+/// A chunk of Minecraft 1.12 with one section at height 16. `blocks` are ids with data by place there.
+fn chunk_1_12(place: [i32; 2], blocks: &[([usize; 3], u16, u8)], block_entities: Vec<Tag>) -> Compound {
+    let (mut low, mut data, mut add) = (vec![0_u8; 4096], vec![0_u8; 2048], vec![0_u8; 2048]);
+    for &([x, y, z], id, value) in blocks {
+        let at = (y * 16 + z) * 16 + x;
+        let shift = at % 2 * 4;
+        low[at] = id as u8;
+        data[at / 2] |= value << shift;
+        add[at / 2] |= ((id >> 8) as u8) << shift;
+    }
+    let bytes = |bytes: Vec<u8>| Tag::ByteArray(bytes.into_iter().map(u8::cast_signed).collect());
+    let section = [("Y", Tag::Byte(1)), ("Blocks", bytes(low)), ("Data", bytes(data)), ("Add", bytes(add))];
+    let cow = compound([
+        ("id", Tag::String("minecraft:cow".into())),
+        ("Pos", Tag::List([16 * place[0], 20, 16 * place[1]].map(|n| Tag::Double(n.into())).to_vec())),
+    ]);
+    let level = compound([
+        ("xPos", Tag::Int(place[0])),
+        ("zPos", Tag::Int(place[1])),
+        ("Sections", Tag::List(vec![compound(section)])),
+        ("TileEntities", Tag::List(block_entities)),
+        ("Entities", Tag::List(vec![cow])),
+    ]);
+    tags([("DataVersion", Tag::Int(1343)), ("Level", level)])
+}
+
+fn old_block_entity<const N: usize>(id: &str, [x, y, z]: [i32; 3], more: [(&str, Tag); N]) -> Tag {
+    let mut tags = tags([
+        ("id", Tag::String(format!("minecraft:{id}"))),
+        ("x", Tag::Int(x)),
+        ("y", Tag::Int(16 + y)),
+        ("z", Tag::Int(z)),
+    ]);
+    tags.extend(more.map(|(name, tag)| (name.to_owned(), tag)));
+    Tag::Compound(tags)
+}
+
+#[test]
+fn numbers_of_chunks_before_1_13_become_states() {
+    let blocks = [
+        ([0, 0, 0], 1, 0),
+        // Beside a fence of the next chunk.
+        ([15, 0, 0], 85, 0),
+        ([2, 0, 0], 175, 4),
+        ([2, 1, 0], 175, 8),
+        ([4, 0, 0], 26, 0),
+        ([6, 0, 0], 140, 0),
+        ([8, 0, 0], 54, 2),
+        ([10, 0, 0], 300, 5),
+        ([12, 0, 0], 1, 15),
+        ([3, 15, 15], 35, 14),
+    ];
+    let item = compound([("id", Tag::String("minecraft:stone".into()))]);
+    let block_entities = vec![
+        old_block_entity("bed", [4, 0, 0], [("color", Tag::Int(11))]),
+        old_block_entity("flower_pot", [6, 0, 0], [("Item", Tag::String("minecraft:cactus".into()))]),
+        old_block_entity("chest", [8, 0, 0], [("Items", Tag::List(vec![item]))]),
+    ];
+    let chunk = chunk_1_12([0, 0], &blocks, block_entities);
+    let beside = chunk_1_12([1, 0], &[([0, 0, 0], 85, 0)], Vec::new());
+    let decoded = read(&region(&[([0, 0], &chunk), ([1, 0], &beside)], 2)).unwrap();
+    let expected = [
+        Warning::UnknownData { blocks: 1, ids: "1:15".into() },
+        Warning::UnknownIds { blocks: 1, ids: "300:5".into() },
+        Warning::OldItems(1),
+        Warning::OldEntities(2),
+    ];
+    assert_eq!(decoded.warnings, expected);
+    let grid = grid_of(decoded);
+    assert_eq!((grid.size(), grid.metadata.data_version), (Cell::new(17, 16, 16), Some(3700)));
+    let states = [
+        ([0, 0, 0], "stone"),
+        ([15, 0, 0], "oak_fence[east=true,north=false,south=false,waterlogged=false,west=false]"),
+        ([16, 0, 0], "oak_fence[east=false,north=false,south=false,waterlogged=false,west=true]"),
+        ([2, 0, 0], "rose_bush[half=lower]"),
+        ([2, 1, 0], "rose_bush[half=upper]"),
+        ([4, 0, 0], "blue_bed[facing=south,occupied=false,part=foot]"),
+        ([6, 0, 0], "potted_cactus"),
+        ([8, 0, 0], "chest[facing=north,type=single,waterlogged=false]"),
+        ([10, 0, 0], "legacy:300[data=5]"),
+        ([12, 0, 0], "stone"),
+        ([3, 15, 15], "red_wool"),
+        ([9, 9, 9], "air"),
+    ];
+    for (place, state) in states {
+        assert_eq!(grid.get(Cell::from_array(place)).short(), state, "{place:?}");
+    }
+    let kept: Vec<[i32; 3]> = grid.block_entities.keys().copied().collect();
+    assert_eq!(kept, [[4, 0, 0], [8, 0, 0]]);
+    assert!(grid.block_entities.values().all(|data| !data.contains_key("x")));
+}
+
+#[test]
+fn states_of_older_chunks_are_brought_to_the_highest_version() {
+    let named = |place, data_version, name: &str| {
+        let mut chunk = old_chunk(place, data_version, Vec::new());
+        let Some(Tag::Compound(level)) = chunk.get_mut("Level") else { panic!("no level") };
+        let palette = Tag::List(vec![compound([("Name", Tag::String(format!("minecraft:{name}")))])]);
+        let section = compound([("Y", Tag::Byte(1)), ("Palette", palette)]);
+        level.insert("Sections".to_owned(), Tag::List(vec![section]));
+        chunk
+    };
+    let chunks = [
+        named([0, 0], 1631, "sign"),
+        named([1, 0], 2586, "grass_path"),
+        chunk_1_12([2, 0], &[([15, 15, 15], 208, 0)], Vec::new()),
+        named([3, 0], 3837, "stone_slab"),
+        named([4, 0], 1631, "stone_slab"),
+    ];
+    let chunks: Vec<([usize; 2], &Compound)> =
+        chunks.iter().enumerate().map(|(x, chunk)| ([x, 0], chunk)).collect();
+    let decoded = read(&region(&chunks, 2)).unwrap();
+    assert!(decoded.warnings.contains(&Warning::MixedVersions { first: 1631, last: 3837 }));
+    let grid = grid_of(decoded);
+    assert_eq!(grid.metadata.data_version, Some(3837));
+    let names = [0, 16, 47, 48, 64].map(|x| grid.get(Cell::new(x, 15, 15)).short_name());
+    assert_eq!(names, ["oak_sign", "dirt_path", "dirt_path", "stone_slab", "smooth_stone_slab"]);
+}
+
 #[test]
 fn chunks_of_several_versions_or_in_the_wrong_place_are_told_of() {
     let (first, second, third) = (chunk_1_13([0, 0]), chunk_1_16([1, 0]), chunk_1_16([7, 7]));
@@ -316,10 +435,7 @@ fn broken_chunks() -> Vec<(Compound, &'static str)> {
             section("Palette", Tag::List(vec![compound([("Name", Tag::String("Stone".into()))])])),
             "the entry `Stone` of `Level.Sections[1].Palette[0].Name` is no block state: ",
         ),
-        (
-            level("Sections", Tag::List(vec![numbered])),
-            "`Level.Sections[0].Blocks` holds blocks by number, as before Minecraft 1.13",
-        ),
+        (level("Sections", Tag::List(vec![numbered])), "the tag `Level.Sections[0].Data` is missing"),
     ]
 }
 

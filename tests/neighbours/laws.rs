@@ -153,3 +153,37 @@ fn what_can_be_computed_goes() {
     assert_eq!(grid.get(Cell::ZERO).short(), "oak_fence[waterlogged=false]");
     assert_eq!(second.short(), row[0], "it joins nothing on its east side");
 }
+
+#[test]
+fn builds_of_old_versions_are_settled_in_their_words() {
+    let states = ["oak_leaves", "cobblestone_wall", "stone", "rail", "skeleton_skull"];
+    let expected = |data_version, walls: &str, others: [&str; 3]| {
+        let mut grid = grid(Cell::new(5, 1, 1), &states);
+        grid.metadata.data_version = Some(data_version);
+        grid.variants = vec![grid.clone()];
+        grid.variants[0].metadata.data_version = None;
+        settle(&mut grid).unwrap();
+        let expected = [others[0], walls, "stone", others[1], others[2]];
+        for grid in [&grid, &grid.variants[0]] {
+            let found = grid.bounds().cells().map(|cell| grid.get(cell).short());
+            assert_eq!(found.collect::<Vec<String>>(), expected);
+        }
+        let before = grid.clone();
+        settle(&mut grid).unwrap();
+        assert!(grid.same_blocks(&before));
+    };
+    expected(
+        2230,
+        "cobblestone_wall[east=true,north=false,south=false,up=true,waterlogged=false,west=false]",
+        ["oak_leaves[distance=7,persistent=false]", "rail[shape=north_south]", "skeleton_skull[rotation=0]"],
+    );
+    expected(
+        4671,
+        "cobblestone_wall[east=low,north=none,south=none,up=true,waterlogged=false,west=none]",
+        [
+            "oak_leaves[distance=7,persistent=false,waterlogged=false]",
+            "rail[shape=north_south,waterlogged=false]",
+            "skeleton_skull[powered=false,rotation=0]",
+        ],
+    );
+}

@@ -41,7 +41,7 @@ pub fn encode_litematic(grid: &Grid, version: LitematicVersion) -> Result<Encode
 }
 
 fn regions(grid: &Grid, pieces: &[Piece]) -> Result<(Compound, Totals), WriteError> {
-    let complete = Complete::of(grid.palette());
+    let complete = Complete::of(grid.palette(), grid.metadata.version());
     let entities = entities_by_piece(grid, pieces);
     let mut totals = Totals { regions: pieces.len(), ..Totals::default() };
     let mut regions = Compound::new();

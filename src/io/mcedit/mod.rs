@@ -11,11 +11,9 @@
 
 mod block_entities;
 mod blocks;
-mod ids;
-mod owner;
 
 use super::fields::Fields;
-use super::{Limits, ReadError, Warning, volume};
+use super::{Limits, ReadError, Warning, legacy, volume};
 use crate::block::LEGACY_DATA_VERSION;
 use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
 use crate::nbt::Compound;
@@ -47,9 +45,9 @@ pub(super) fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warn
     let (cells, palette, mut warnings) = blocks::read(&root, size, limits)?;
     let mut grid = volume::grid(size, cells, palette);
     warnings.extend(block_entities::read(&root, &mut grid)?);
-    blocks::name_upper_halves(&mut grid).map_err(volume::full("Blocks"))?;
-    neighbours::settle(&mut grid).map_err(volume::full("Blocks"))?;
+    legacy::name_upper_halves(&mut grid).map_err(volume::full("Blocks"))?;
     grid.metadata = metadata(&root)?;
+    neighbours::settle(&mut grid).map_err(volume::full("Blocks"))?;
     let entities = grid.metadata.entities.len();
     warnings.extend((entities > 0).then_some(Warning::OldEntities(entities)));
     Ok((grid, warnings))

@@ -2,10 +2,23 @@
 
 use super::section::{self, Section};
 use super::{CHUNK, EDGE, REGION};
+use crate::block::LEGACY_DATA_VERSION;
 use crate::io::ReadError;
 use crate::io::fields::Fields;
+use crate::io::legacy::Strangers;
 use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
+
+/// How blocks are told.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Blocks {
+    States,
+    /// Before Minecraft 1.13.
+    Numbers,
+}
+
+/// The data version of the snapshot 17w47a.
+const FIRST_WITH_STATES: i32 = 1451;
 
 /// The tags of a chunk.
 pub(super) struct Chunk<'a> {
@@ -46,6 +59,23 @@ impl<'a> Chunk<'a> {
         let name = if self.body.tags.contains_key("sections") { "sections" } else { "Sections" };
         let sections = self.body.list(name)?.into_iter();
         sections.map(|fields| Ok((fields.get::<SectionHeight>("Y")?.0, fields))).collect()
+    }
+
+    /// How the game that saved the chunk tells its blocks.
+    pub fn told_by(&self, sections: &[(i32, Fields)]) -> Blocks {
+        let is_old = self.data_version.is_some_and(|version| version < FIRST_WITH_STATES);
+        match is_old || sections.iter().any(|(_, fields)| section::is_numbered(fields)) {
+            true => Blocks::Numbers,
+            false => Blocks::States,
+        }
+    }
+
+    /// The version of the states that the chunk's blocks are read as.
+    pub fn states_version(&self, told_by: Blocks) -> Option<i32> {
+        match told_by {
+            Blocks::Numbers => Some(LEGACY_DATA_VERSION),
+            Blocks::States => self.data_version,
+        }
     }
 
     /// Up to 1.17 a chunk holds the numbers of its biomes.
@@ -109,14 +139,13 @@ impl crate::io::fields::FromTag<'_> for SectionHeight {
     }
 }
 
-/// The blocks of each section and the part of the world that they fill. One section at a time: unpacked they take
-/// eight times the memory.
-pub(super) fn blocks<'a>(
+/// The blocks of a section and the part of the world that they fill. One section at a time: unpacked they take eight
+/// times the memory.
+pub(super) fn blocks(
     column: Column,
-    sections: &'a [(i32, Fields)],
-) -> impl Iterator<Item = Result<(Bounds, Section), ReadError>> + 'a {
-    sections.iter().filter_map(move |(height, fields)| {
-        let section = section::read(fields).transpose()?;
-        Some(section.map(|section| (column.section(*height), section)))
-    })
+    (height, fields): &(i32, Fields),
+    strangers: &mut Strangers,
+) -> Result<Option<(Bounds, Section)>, ReadError> {
+    let section = section::read(fields, strangers)?;
+    Ok(section.map(|section| (column.section(*height), section)))
 }

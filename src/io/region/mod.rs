@@ -10,7 +10,7 @@
 //! | 1.18 | `sections[].block_states` | whole in their longs |
 //! | 1.16 | `Level.Sections[]`: `Palette`, `BlockStates` | whole in their longs |
 //! | 1.13 | the same | across longs |
-//! | before | `Level.Sections[]`: `Blocks`, `Data`, `Add` | numbers of blocks |
+//! | before | `Level.Sections[]`: `Blocks`, `Data`, `Add` | numbers of blocks, see `io/legacy` |
 //!
 //! Since 1.17 entities stand in region files of their own, in a folder `entities` beside `region`.
 
@@ -22,6 +22,7 @@ mod read;
 mod section;
 mod table;
 mod unpack;
+mod versions;
 mod world;
 mod write;
 

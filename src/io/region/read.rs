@@ -1,15 +1,18 @@
 use super::biomes::Gathered;
-use super::chunk::{Chunk, Column, blocks};
+use super::chunk::{Blocks, Chunk, Column, blocks};
 use super::section::Section;
 use super::world::World;
-use super::{CHUNK, EDGE};
-use crate::block::BlockState;
+use super::{CHUNK, EDGE, versions};
+use crate::block::{BlockState, PaletteFull, Version};
 use crate::grid::{Entity, Grid, is_named};
 use crate::io::error::Size;
 use crate::io::fields::Fields;
+use crate::io::legacy::{self, Strangers};
 use crate::io::{About, Content, Decoded, Format, Limits, ReadError, Warning};
+use crate::nbt::Compound;
+use crate::neighbours;
 use crate::space::{Bounds, Cell};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The blocks of a world within `part`, or all there are. `path` is a region file, a folder of them, or the folder of
@@ -58,10 +61,10 @@ fn extent(world: &World, limits: &Limits) -> Result<Bounds, ReadError> {
     for region in &world.blocks {
         region.visit(None, limits, &mut |chunk| {
             let Some(column) = chunk.column()? else { return Ok(()) };
-            for section in blocks(column, &chunk.sections()?) {
-                let (at, section) = section?;
-                let both = extent.into_iter().chain(filled(at, &section));
-                extent = both.reduce(|all, next| all.union(&next));
+            for found in &chunk.sections()? {
+                let section = blocks(column, found, &mut Strangers::default())?;
+                let filled = section.and_then(|(at, section)| filled(at, &section));
+                extent = extent.into_iter().chain(filled).reduce(|all, next| all.union(&next));
             }
             Ok(())
         })?;
@@ -91,11 +94,21 @@ struct Reading {
     part: Bounds,
     grid: Grid,
     biomes: Gathered,
-    /// Where the game has made blocks.
-    made: BTreeSet<Column>,
-    versions: BTreeSet<i32>,
+    /// Where the game has made blocks, and the version of their states.
+    made: BTreeMap<Column, Option<Version>>,
+    data_versions: Option<[i32; 2]>,
+    numbered: Numbered,
     numbered_biomes: usize,
     unnamed_entities: usize,
+}
+
+/// What chunks from before Minecraft 1.13 hold.
+#[derive(Default)]
+struct Numbered {
+    chunks: usize,
+    strangers: Strangers,
+    with_items: usize,
+    entities: usize,
 }
 
 impl Reading {
@@ -104,8 +117,9 @@ impl Reading {
             part,
             grid: Grid::new(part.size()),
             biomes: Gathered::new(part),
-            made: BTreeSet::new(),
-            versions: BTreeSet::new(),
+            made: BTreeMap::new(),
+            data_versions: None,
+            numbered: Numbered::default(),
             numbered_biomes: 0,
             unnamed_entities: 0,
         }
@@ -116,25 +130,37 @@ impl Reading {
         if column.within(self.part).is_empty() {
             return Ok(());
         }
-        self.made.insert(column);
-        self.versions.extend(chunk.data_version);
-        self.numbered_biomes += usize::from(chunk.has_numbered_biomes());
         let sections = chunk.sections()?;
+        let told_by = chunk.told_by(&sections);
+        self.add_version(column, chunk.states_version(told_by));
+        self.numbered.chunks += usize::from(told_by == Blocks::Numbers);
+        self.numbered_biomes += usize::from(chunk.has_numbered_biomes());
         for (height, fields) in &sections {
             self.biomes.add(column.section(*height), fields)?;
         }
-        for section in blocks(column, &sections) {
-            let (at, section) = section?;
+        for found in &sections {
+            let Some((at, section)) = blocks(column, found, &mut self.numbered.strangers)? else { continue };
             self.fill(at, &section)?;
         }
         for fields in chunk.block_entities()? {
-            self.add_block_entity(&fields)?;
+            self.add_block_entity(&fields, told_by)?;
         }
-        self.add_entities(chunk)
+        let others = self.grid.metadata.entities.len();
+        self.add_entities(chunk)?;
+        if told_by == Blocks::Numbers {
+            self.numbered.entities += self.grid.metadata.entities.len() - others;
+        }
+        Ok(())
+    }
+
+    fn add_version(&mut self, column: Column, data_version: Option<i32>) {
+        self.made.insert(column, data_version.and_then(Version::of_data));
+        let Some(version) = data_version else { return };
+        let [lowest, highest] = self.data_versions.unwrap_or([version; 2]);
+        self.data_versions = Some([lowest.min(version), highest.max(version)]);
     }
 
     fn fill(&mut self, at: Bounds, section: &Section) -> Result<(), ReadError> {
-        let full = |problem| ReadError::PaletteFull { path: "palette".to_owned(), problem };
         let ids = section.states.iter().map(|state| self.grid.intern(state).map_err(full));
         let ids = ids.collect::<Result<Vec<u16>, ReadError>>()?;
         let inside = at.intersect(&self.part);
@@ -151,17 +177,33 @@ impl Reading {
         Ok(())
     }
 
-    fn add_block_entity(&mut self, fields: &Fields) -> Result<(), ReadError> {
+    fn add_block_entity(&mut self, fields: &Fields, blocks: Blocks) -> Result<(), ReadError> {
         let place = Cell::new(fields.get("x")?, fields.get("y")?, fields.get("z")?);
-        if self.part.contains(place) {
-            let mut data = fields.tags.clone();
+        if !self.part.contains(place) {
+            return Ok(());
+        }
+        let place = place - self.part.min;
+        let data = match blocks {
+            Blocks::States => Some(fields.tags.clone()),
+            Blocks::Numbers => self.modernised(place, fields)?,
+        };
+        if let Some(mut data) = data {
             // `keepPacked` is a note of the chunk to itself.
             for name in ["x", "y", "z", "keepPacked"] {
                 data.remove(name);
             }
-            self.grid.block_entities.insert((place - self.part.min).to_array(), data);
+            self.grid.block_entities.insert(place.to_array(), data);
         }
         Ok(())
+    }
+
+    /// A block entity from before Minecraft 1.13. What it says of its block goes there.
+    fn modernised(&mut self, place: Cell, fields: &Fields) -> Result<Option<Compound>, ReadError> {
+        let (state, data) = legacy::modern(self.grid.get(place), fields)?;
+        let id = self.grid.intern(&state).map_err(full)?;
+        self.grid.set(place, id);
+        self.numbered.with_items += usize::from(data.as_ref().is_some_and(legacy::holds_items));
+        Ok(data)
     }
 
     fn add_entities(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
@@ -184,23 +226,27 @@ impl Reading {
 
     fn finish(mut self) -> Result<(Grid, Vec<Warning>), ReadError> {
         let unmade = self.leave_unmade_alone()?;
-        self.grid.metadata.data_version = self.versions.last().copied();
+        self.grid.metadata.data_version = self.data_versions.map(|[_, highest]| highest);
         self.grid.metadata.biomes = self.biomes.finish();
-        let oldest = self.versions.first().zip(self.versions.last()).filter(|(first, last)| first != last);
+        versions::bring_to_highest(&mut self.grid, self.part, &self.made).map_err(full)?;
+        if self.numbered.chunks > 0 {
+            legacy::name_upper_halves(&mut self.grid).map_err(full)?;
+            neighbours::settle(&mut self.grid).map_err(full)?;
+        }
+        let mixed = self.data_versions.filter(|[lowest, highest]| lowest < highest);
         let warnings = [
             (unmade > 0).then_some(Warning::ChunksNotMade(unmade)),
             (self.numbered_biomes > 0).then_some(Warning::BiomesByNumber),
             (self.unnamed_entities > 0).then_some(Warning::EntitiesUnnamed(self.unnamed_entities)),
-            oldest.map(|(&first, &last)| Warning::MixedVersions { first, last }),
+            mixed.map(|[first, last]| Warning::MixedVersions { first, last }),
         ];
-        Ok((self.grid, warnings.into_iter().flatten().collect()))
+        Ok((self.grid, warnings.into_iter().flatten().chain(self.numbered.warnings()).collect()))
     }
 
     /// Fills the chunks that the game has not made with `structure_void`. Gives their number.
     fn leave_unmade_alone(&mut self) -> Result<usize, ReadError> {
         let mut unmade = 0;
-        for column in columns(self.part).filter(|column| !self.made.contains(column)) {
-            let full = |problem| ReadError::PaletteFull { path: "palette".to_owned(), problem };
+        for column in columns(self.part).filter(|column| !self.made.contains_key(column)) {
             let id = self.grid.intern(&BlockState::structure_void()).map_err(full)?;
             let within = column.within(self.part);
             self.grid.fill(Bounds::new(within.min - self.part.min, within.max - self.part.min), id);
@@ -208,6 +254,18 @@ impl Reading {
         }
         Ok(unmade)
     }
+}
+
+impl Numbered {
+    fn warnings(&self) -> impl Iterator<Item = Warning> {
+        let items = (self.with_items > 0).then_some(Warning::OldItems(self.with_items));
+        let entities = (self.entities > 0).then_some(Warning::OldEntities(self.entities));
+        self.strangers.warnings().chain(items).chain(entities)
+    }
+}
+
+fn full(problem: PaletteFull) -> ReadError {
+    ReadError::PaletteFull { path: "palette".to_owned(), problem }
 }
 
 /// The columns of the chunks that touch `part`.

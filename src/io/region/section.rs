@@ -2,8 +2,9 @@
 
 use super::packing::{self, bits};
 use crate::block::BlockState;
-use crate::io::ReadError;
 use crate::io::fields::Fields;
+use crate::io::legacy::{self, Ids, Strangers};
+use crate::io::{ReadError, volume};
 use crate::nbt::Tag;
 
 pub(super) const CELLS: usize = 16 * 16 * 16;
@@ -18,18 +19,50 @@ pub(super) struct Section {
     pub ids: Vec<u32>,
 }
 
-/// `None` where a section holds light alone.
-pub(super) fn read(section: &Fields) -> Result<Option<Section>, ReadError> {
+/// `None` where a section holds light alone. Numbers that stand for nothing are added to `strangers`.
+pub(super) fn read(section: &Fields, strangers: &mut Strangers) -> Result<Option<Section>, ReadError> {
     if let Some(blocks) = section.inner("block_states")? {
         return of_palette(&blocks, "palette", "data").map(Some);
     }
     if section.tags.contains_key("Palette") {
         return of_palette(section, "Palette", "BlockStates").map(Some);
     }
-    match section.tags.contains_key("Blocks") {
-        true => Err(ReadError::NumberedBlocks { path: section.path("Blocks") }),
-        false => Ok(None),
+    if is_numbered(section) {
+        return of_numbers(section, strangers).map(Some);
     }
+    Ok(None)
+}
+
+/// Whether blocks are told by numbers, as before Minecraft 1.13.
+pub(super) fn is_numbered(section: &Fields) -> bool {
+    section.tags.contains_key("Blocks") && !section.tags.contains_key("Palette")
+}
+
+fn of_numbers(section: &Fields, strangers: &mut Strangers) -> Result<Section, ReadError> {
+    let blocks = bytes(section, "Blocks", CELLS)?;
+    let data = bytes(section, "Data", CELLS / 2)?;
+    let add = section.find::<&[i8]>("Add")?.map(|_| bytes(section, "Add", CELLS / 2)).transpose()?;
+    let number = |(at, &low): (usize, &i8)| {
+        let high = add.map_or(0, |add| u16::from(half(add, at)));
+        (high << 8 | u16::from(low.cast_unsigned()), half(data, at))
+    };
+    let numbers = blocks.iter().enumerate().map(number);
+    let (ids, palette) =
+        legacy::states(numbers, &Ids::default(), strangers).map_err(volume::full(section.path("Blocks")))?;
+    Ok(Section { states: palette.states().to_vec(), ids: ids.into_iter().map(u32::from).collect() })
+}
+
+/// As many bytes as a section has.
+fn bytes<'a>(section: &Fields<'a>, name: &str, count: usize) -> Result<&'a [i8], ReadError> {
+    let bytes = section.get::<&[i8]>(name)?;
+    let short = || ReadError::ShortArray { path: section.path(name), found: bytes.len() };
+    bytes.get(..count).ok_or_else(short)
+}
+
+/// Half a byte for each block, the low half first.
+fn half(bytes: &[i8], at: usize) -> u8 {
+    let byte = bytes[at / 2].cast_unsigned();
+    if at.is_multiple_of(2) { byte & 15 } else { byte >> 4 }
 }
 
 fn of_palette(fields: &Fields, palette: &str, data: &str) -> Result<Section, ReadError> {

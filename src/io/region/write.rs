@@ -5,7 +5,7 @@ use super::section::{self, CELLS, LEAST_BITS};
 use super::table::{HEAD, SECTOR};
 use super::world::beside_name;
 use super::{CHUNK, REGION, biomes};
-use crate::block::{Palette, complete};
+use crate::block::{Palette, complete_in};
 use crate::grid::{Grid, is_named};
 use crate::io::{DEFAULT_DATA_VERSION, Lost, WriteError};
 use crate::nbt::{self, Compound, Tag};
@@ -142,9 +142,10 @@ struct States {
 impl States {
     fn of(grid: &Grid) -> States {
         let states = grid.palette().states();
+        let version = grid.metadata.version();
         let void = states.iter().position(|state| state.short_name() == "structure_void");
         States {
-            entries: states.iter().map(|state| section::entry(&complete(state))).collect(),
+            entries: states.iter().map(|state| section::entry(&complete_in(state, version))).collect(),
             void: void.map(|id| id as u16),
         }
     }

@@ -1,7 +1,7 @@
 //! The palette and the block indices.
 
 use super::arrays::{Outgoing, RUN, uniform};
-use crate::block::{self, BlockState, Palette};
+use crate::block::{BlockState, Palette, complete_in};
 use crate::grid::Grid;
 use crate::io::ReadError;
 use crate::io::error::PALETTE_INDEX_MAX;
@@ -133,14 +133,15 @@ fn cell_at(at: usize, size: Cell) -> Cell {
 /// A grid's blocks as a file holds them: indices by block state, and the index of each cell.
 ///
 /// States are numbered in order of first use: what the grid's own palette holds beside them, and in which order, does not
-/// show. All their properties are written, since readers differ in what they take absent ones for.
+/// show. All properties of their version are written, since readers differ in what they take absent ones for.
 pub(super) fn encode(grid: &Grid) -> (Compound, Outgoing<'_>) {
     let cells = grid.cells().as_slice().expect("a grid's cells are in the standard layout");
     let states = grid.palette().states();
     let mut palette = Compound::new();
     let mut table = vec![0; states.len()];
+    let version = grid.metadata.version();
     for id in used(cells, states.len()) {
-        let state = block::complete(&states[usize::from(id)]).to_string();
+        let state = complete_in(&states[usize::from(id)], version).to_string();
         let next = palette.len() as i32;
         // States that are one once complete share an index.
         if let Tag::Int(index) = palette.entry(state).or_insert(Tag::Int(next)) {

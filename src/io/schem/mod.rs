@@ -21,9 +21,6 @@ pub(super) use arrays::Incoming;
 pub(super) use read::decode;
 pub use write::{SchemVersion, encode_schem};
 
-/// The game version written for grids that do not say theirs: 1.20.1.
-pub const DEFAULT_DATA_VERSION: i32 = 3465;
-
 /// Where WorldEdit's version 2 keeps the offset, within `Metadata`.
 const WE_OFFSET: [&str; 3] = ["WEOffsetX", "WEOffsetY", "WEOffsetZ"];
 

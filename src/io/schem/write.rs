@@ -1,6 +1,6 @@
 use super::arrays::Outgoing;
-use super::{DEFAULT_DATA_VERSION, KNOWN, WE_OFFSET, biomes, blocks, entities};
-use crate::grid::{Dialect, Grid};
+use super::{KNOWN, WE_OFFSET, biomes, blocks, entities};
+use crate::grid::{DEFAULT_DATA_VERSION, Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::{Encoded, Lost, WriteError, gzip};
 use crate::nbt::{self, Compound, Compounds, Endian, Source, Tag};

@@ -16,7 +16,9 @@ pub(super) struct Joint {
 impl Joint {
     /// Of grids of the same size, of which there is one at least.
     pub fn of(grids: &[&Grid]) -> Joint {
-        let looks: Vec<Complete> = grids.iter().map(|grid| Complete::of(grid.palette())).collect();
+        // A file says its version once.
+        let version = grids[0].metadata.version();
+        let looks: Vec<Complete> = grids.iter().map(|grid| Complete::of(grid.palette(), version)).collect();
         let mut cells = vec![0; grids[0].cells().len()];
         let mut combinations = vec![Vec::new()];
         for (grid, look) in grids.iter().zip(&looks) {

@@ -3,7 +3,7 @@
 use crate::nbt::{Compound, Tag};
 
 /// Brings `Owner` into the form of Minecraft 1.16 to 1.20.4: `SkullOwner`, with the player's number as four Ints.
-pub(super) fn modernise(data: &mut Compound) {
+pub fn modernise(data: &mut Compound) {
     let Some(mut owner) = data.remove("Owner") else { return };
     if let Tag::Compound(owner) = &mut owner
         && let Some(Tag::String(id)) = owner.get("Id")

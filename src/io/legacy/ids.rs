@@ -7,11 +7,12 @@ use crate::nbt::Compound;
 use std::collections::BTreeMap;
 
 /// The names that a file gives its ids; those of other files are the game's.
-pub(super) struct Ids<'a>(BTreeMap<u16, &'a str>);
+#[derive(Default)]
+pub struct Ids<'a>(BTreeMap<u16, &'a str>);
 
 /// Why a state is not quite what the file asks for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unknown {
+pub enum Unknown {
     /// The id is the game's, but never has such data: the state is that of data 0.
     Data,
     /// Nobody says what block the id is of: the state is named after the number.
