@@ -64,6 +64,7 @@ fn any_animal(size: Cell) -> impl Strategy<Value = Entity> {
     let place = (0..size.x * 32, 0..size.y * 32, 0..size.z * 32);
     (place, -360..360, -2..3).prop_map(|((x, y, z), yaw, push)| Entity {
         place: [x, y, z].map(|at| f64::from(at) / 32.0 + 1.0 / 64.0),
+        block: None,
         data: compound([
             ("id", text("minecraft:cow")),
             ("Rotation", Tag::List(vec![Tag::Float(yaw as f32 / 2.0), Tag::Float(12.5)])),
@@ -90,25 +91,13 @@ impl Painting {
             + half(self.size.x) * step(self.facing.left())
             + half(self.size.y) * step(Facing::Up);
         let number = WALLS.iter().position(|wall| *wall == self.facing).unwrap();
-        let [x, y, z] = (self.home + Cell::splat(1000)).to_array();
-        let data = compound([
-            ("id", text("minecraft:painting")),
-            ("facing", Tag::Byte(number as i8)),
-            ("TileX", Tag::Int(x)),
-            ("TileY", Tag::Int(y)),
-            ("TileZ", Tag::Int(z)),
-        ]);
-        Entity { place: place.to_array(), data }
+        let data = compound([("id", text("minecraft:painting")), ("facing", Tag::Byte(number as i8))]);
+        Entity { place: place.to_array(), block: Some(self.home), data }
     }
 
     fn of(entity: &Entity, size: Cell) -> Painting {
         let Tag::Byte(number) = entity.data["facing"] else { panic!("no facing") };
-        let tile = |name: &str| match entity.data[name] {
-            Tag::Int(at) => at - 1000,
-            _ => panic!("no {name}"),
-        };
-        let home = Cell::new(tile("TileX"), tile("TileY"), tile("TileZ"));
-        Painting { home, facing: WALLS[number as usize], size }
+        Painting { home: entity.block.unwrap(), facing: WALLS[number as usize], size }
     }
 
     /// The cells that it covers.
@@ -270,16 +259,12 @@ fn item_frames_look_where_they_are_turned_in_both_ways_of_counting() {
     // Each hangs on the west side of its cell and looks east.
     for (number, turned) in [(5, 2), (3, 2)] {
         let mut grid = Grid::new(Cell::splat(3));
-        let data = compound([
-            ("id", text("minecraft:item_frame")),
-            ("Facing", Tag::Byte(number)),
-            ("block_pos", Tag::IntArray(vec![1, 1, 1])),
-        ]);
-        grid.metadata.entities.push(Entity { place: [1.03125, 1.5, 1.5], data });
+        let data = compound([("id", text("minecraft:item_frame")), ("Facing", Tag::Byte(number))]);
+        grid.metadata.entities.push(Entity { place: [1.03125, 1.5, 1.5], block: Some(Cell::ONE), data });
         let entity = &grid.turned(Turn::quarters(1)).metadata.entities[0];
         assert_eq!(entity.data["Facing"], Tag::Byte(turned));
         assert_eq!(entity.place, [1.5, 1.5, 1.96875]);
-        assert_eq!(entity.data["block_pos"], Tag::IntArray(vec![1, 1, 1]));
+        assert_eq!(entity.block, Some(Cell::ONE));
     }
 }
 
@@ -291,7 +276,7 @@ fn animals_look_and_go_where_they_are_turned() {
         ("Rotation", Tag::List(vec![Tag::Float(-90.0), Tag::Float(5.0)])),
         ("Motion", doubles([1.0, 0.0, 0.0])),
     ]);
-    grid.metadata.entities.push(Entity { place: [3.5, 0.0, 0.25], data });
+    grid.metadata.entities.push(Entity { place: [3.5, 0.0, 0.25], block: None, data });
     let entity = &grid.turned(Turn::quarters(1)).metadata.entities[0];
     assert_eq!(entity.place, [0.25, 0.0, 0.5]);
     assert_eq!(entity.data["Rotation"], Tag::List(vec![Tag::Float(-180.0), Tag::Float(5.0)]));
@@ -331,9 +316,8 @@ fn no_number_of_a_file_is_too_large_to_turn() {
     let mut grid = Grid::new(Cell::ONE);
     grid.metadata.offset = Cell::MIN;
     for place in [[f64::MAX; 3], [f64::NEG_INFINITY; 3], [f64::NAN; 3]] {
-        let data =
-            compound([("id", text("painting")), ("facing", Tag::Byte(-7)), ("TileX", Tag::Int(i32::MIN))]);
-        grid.metadata.entities.push(Entity { place, data });
+        let data = compound([("id", text("painting")), ("facing", Tag::Byte(-7))]);
+        grid.metadata.entities.push(Entity { place, block: Some(Cell::MIN), data });
     }
     for turn in Turn::ALL {
         let moved = grid.turned(turn).mirrored(Mirror::X).mirrored(Mirror::Z);

@@ -21,16 +21,15 @@ pub struct Args {
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    args.batch.each_grid(|name, grid| match args.bounds {
-        Some(BoxArg(bounds)) => {
-            let cropped = part::boxed(name, &grid, bounds)?;
-            tell_cut(name, &grid, &cropped);
-            Ok(cropped)
-        }
-        None => match grid.occupied() {
-            Some(bounds) => Ok(grid.cropped(bounds)),
-            None => Err(Failure::of_file(name, "there is nothing but air, so nothing to cut to")),
-        },
+    args.batch.each_grid(|name, grid| {
+        let cropped = match args.bounds {
+            Some(BoxArg(bounds)) => part::boxed(name, &grid, bounds),
+            None => grid
+                .trimmed()
+                .ok_or_else(|| Failure::of_file(name, "there is nothing but air, so nothing to cut to")),
+        }?;
+        tell_cut(name, &grid, &cropped);
+        Ok(cropped)
     })
 }
 

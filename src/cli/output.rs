@@ -149,8 +149,8 @@ impl Writing {
             return Ok(outputs);
         };
         let (mut outputs, mut all_lost) = (Vec::new(), Vec::new());
-        for (number, bounds) in grid.boxes(edge) {
-            let (piece, lost) = self.encoded(kind, &piece_path(path, number)?, &grid.cropped(bounds))?;
+        for (number, piece) in grid.pieces(edge) {
+            let (piece, lost) = self.encoded(kind, &piece_path(path, number)?, &piece)?;
             outputs.extend(piece);
             all_lost.extend(lost.into_iter().filter_map(|lost| of_whole(lost, &grid)));
         }

@@ -1,4 +1,4 @@
-use super::{BiomeMap, Biomes, Grid, Metadata, Region, entity};
+use super::{BiomeMap, Biomes, Entity, Grid, Metadata, Region, entity};
 use crate::block::{BlockState, Palette};
 use crate::space::{Bounds, Cell};
 use ndarray::{ArrayView2, ArrayView3, s};
@@ -6,6 +6,17 @@ use ndarray::{ArrayView2, ArrayView3, s};
 impl Grid {
     /// The part of this build inside `bounds`, with all that is in it. The point of copying stays where it is.
     pub fn cropped(&self, bounds: Bounds) -> Grid {
+        self.cropped_with(bounds, |entity| bounds.contains(entity.home()))
+    }
+
+    /// This build without the air around it: nothing else is lost, also not what hangs outside of its walls. `None` where
+    /// all is air or left alone.
+    pub fn trimmed(&self) -> Option<Grid> {
+        Some(self.cropped_with(self.occupied()?, |_| true))
+    }
+
+    /// The part of this build inside `bounds`, with the entities that are `kept`.
+    pub(super) fn cropped_with(&self, bounds: Bounds, kept: impl Fn(&Entity) -> bool) -> Grid {
         let inside = self.bounds().intersect(&bounds);
         let bounds = Bounds::new(inside.min.min(inside.max), inside.max);
         let (cells, palette) = compacted(part(self.cells.view(), bounds), &self.palette);
@@ -17,7 +28,7 @@ impl Grid {
             cells,
             palette,
             block_entities: block_entities.collect(),
-            metadata: cropped_metadata(&self.metadata, bounds),
+            metadata: cropped_metadata(&self.metadata, bounds, kept),
             variants: self.variants.iter().map(|variant| variant.cropped(bounds)).collect(),
         }
     }
@@ -27,7 +38,7 @@ impl Grid {
     pub fn occupied(&self) -> Option<Bounds> {
         let builds = std::iter::once(self).chain(&self.variants);
         let blocks = builds.filter_map(Grid::built);
-        let homes = self.metadata.entities.iter().map(|entity| one(entity::home(entity)));
+        let homes = self.metadata.entities.iter().map(|entity| one(entity.home()));
         blocks
             .chain(homes.filter(|home| self.bounds().contains(home.min)))
             .reduce(|all, next| all.union(&next))
@@ -74,9 +85,8 @@ fn compacted(cells: ArrayView3<u16>, palette: &Palette) -> (ndarray::Array3<u16>
     (cells, small)
 }
 
-fn cropped_metadata(old: &Metadata, bounds: Bounds) -> Metadata {
-    let inside = |entity: &&super::Entity| bounds.contains(entity::home(entity));
-    let entities = old.entities.iter().filter(inside);
+fn cropped_metadata(old: &Metadata, bounds: Bounds, kept: impl Fn(&Entity) -> bool) -> Metadata {
+    let entities = old.entities.iter().filter(|entity| kept(entity));
     Metadata {
         data_version: old.data_version,
         offset: old.offset.saturating_add(bounds.min),
@@ -91,7 +101,10 @@ fn cropped_metadata(old: &Metadata, bounds: Bounds) -> Metadata {
 fn cropped_region(region: &Region, bounds: Bounds) -> Option<Region> {
     let inside = region.bounds.intersect(&bounds);
     let moved = Bounds::new(inside.min - bounds.min, inside.max - bounds.min);
-    (!inside.is_empty()).then(|| Region { bounds: moved, ..region.clone() })
+    (!inside.is_empty()).then(|| match inside == region.bounds {
+        true => Region { bounds: moved, ..region.clone() },
+        false => region.moved(moved),
+    })
 }
 
 fn cropped_biomes(biomes: &Biomes, bounds: Bounds) -> Biomes {

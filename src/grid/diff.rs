@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn all_else_is_compared() {
-        let cow = |x: f64| Entity { place: [x, 0.0, 0.0], data: Compound::new() };
+        let cow = |x: f64| Entity { place: [x, 0.0, 0.0], block: None, data: Compound::new() };
         let (mut a, mut b) = (row(&["stone"]), row(&["stone"]));
         a.block_entities.insert([0; 3], Compound::new());
         a.metadata.entities = vec![cow(0.0), cow(0.5), cow(0.5)];

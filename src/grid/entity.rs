@@ -4,17 +4,23 @@ use super::Entity;
 use crate::block::{Facing, Motion};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
-use glam::DVec3;
+use glam::{DVec3, I64Vec3};
 
-/// The cell that an entity belongs to: for what hangs on a wall, that of its `TileX` or `block_pos`, found from
-/// where it is. A painting's middle may lie on the line between two cells.
-pub(super) fn home(entity: &Entity) -> Cell {
-    let place = DVec3::from_array(entity.place);
-    let middle = match is_painting(&entity.data).then(|| facing(&entity.data, entity.place)).flatten() {
-        Some(facing) => place - overhang(place, facing),
-        None => place,
-    };
-    middle.floor().as_ivec3()
+impl Entity {
+    /// The cell that it belongs to: the one it hangs in, or else the one that it is in.
+    pub fn home(&self) -> Cell {
+        self.block.unwrap_or_else(|| self.seat())
+    }
+
+    /// The cell that it belongs to by where it is. A painting's middle may lie on the line between two cells.
+    pub fn seat(&self) -> Cell {
+        let place = DVec3::from_array(self.place);
+        let middle = match is_painting(&self.data).then(|| facing(&self.data, self.place)).flatten() {
+            Some(facing) => place - overhang(place, facing),
+            None => place,
+        };
+        middle.floor().as_ivec3()
+    }
 }
 
 /// How far a painting's middle lies from the middle of its home cell, along the wall and upwards: paintings of even
@@ -38,27 +44,23 @@ pub(super) fn moved(entity: &Entity, motion: Motion, corner: Cell) -> Entity {
     let middle = (DVec3::from_array(entity.place) - 0.5).to_array();
     let place = DVec3::from_array(motion.apply(middle)) + 0.5 - corner.as_dvec3();
     let data = moved_data(&entity.data, entity.place, motion);
-    rehomed(entity, Entity { place: place.to_array(), data })
+    let mut moved = Entity { place: place.to_array(), block: None, data };
+    moved.block = entity.block.map(|block| moved.seat().wrapping_add(off_seat(entity, block, motion)));
+    moved
+}
+
+/// How far the block of a moved entity lies from its seat, which a mirror changes for paintings of even width. Mostly it is
+/// there; before 1.8 paintings named the block behind them.
+fn off_seat(old: &Entity, block: Cell, motion: Motion) -> Cell {
+    let off = block.as_i64vec3() - old.seat().as_i64vec3();
+    I64Vec3::from_array(motion.apply(off.to_array())).as_ivec3()
 }
 
 /// The entity as seen from another low corner.
 pub(super) fn shifted(entity: &Entity, by: Cell) -> Entity {
     let place = DVec3::from_array(entity.place) + by.as_dvec3();
-    rehomed(entity, Entity { place: place.to_array(), data: entity.data.clone() })
-}
-
-/// The data name the home cell a second time, from whatever corner: it goes along.
-fn rehomed(old: &Entity, mut new: Entity) -> Entity {
-    let step = home(&new).wrapping_sub(home(old));
-    for (name, by) in ["TileX", "TileY", "TileZ"].into_iter().zip(step.to_array()) {
-        if let Some(Tag::Int(at)) = new.data.get_mut(name) {
-            *at = at.wrapping_add(by);
-        }
-    }
-    if let Some(Tag::IntArray(at)) = new.data.get_mut("block_pos") {
-        at.iter_mut().zip(step.to_array()).for_each(|(at, by)| *at = at.wrapping_add(by));
-    }
-    new
+    let block = entity.block.map(|block| block.wrapping_add(by));
+    Entity { place: place.to_array(), block, data: entity.data.clone() }
 }
 
 fn moved_data(data: &Compound, place: [f64; 3], motion: Motion) -> Compound {

@@ -63,12 +63,30 @@ pub struct Region {
     pub tags: Compound,
 }
 
+/// Tags of a region that hold places: water that is about to flow, sand that is about to fall.
+const PENDING: [&str; 2] = ["PendingBlockTicks", "PendingFluidTicks"];
+
+impl Region {
+    /// The region with its blocks moved or cut. What was about to happen does not move with them: it was of one
+    /// moment of one world, the places would be wrong, and the game finds out anew what flows and falls.
+    pub(super) fn moved(&self, bounds: Bounds) -> Region {
+        let tags = self.tags.iter().filter(|(name, _)| !PENDING.contains(&name.as_str()));
+        Region {
+            name: self.name.clone(),
+            bounds,
+            tags: tags.map(|(name, tag)| (name.clone(), tag.clone())).collect(),
+        }
+    }
+}
+
 /// An animal, a painting, an item frame.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Entity {
     /// From the low corner of the grid, in blocks.
     pub place: [f64; 3],
-    /// As the game keeps it, with `id` and without `Pos`.
+    /// The cell that it hangs in, for paintings and the like: from the low corner too.
+    pub block: Option<Cell>,
+    /// As the game keeps it, with `id`, without `Pos` and without the tags that say the block.
     pub data: Compound,
 }
 

@@ -1,4 +1,4 @@
-use super::{Grid, entity};
+use super::Grid;
 use crate::block::{self, BlockState, Facing, Version};
 use crate::nbt::Tag;
 use crate::space::Cell;
@@ -27,7 +27,7 @@ impl Grid {
     pub fn oddities(&self) -> Vec<Oddity> {
         let states: Vec<&BlockState> = self.counts().into_iter().map(|(state, _)| state).collect();
         let entities = &self.metadata.entities;
-        let outside = entities.iter().filter(|entity| !self.bounds().contains(entity::home(entity)));
+        let outside = entities.iter().filter(|entity| !self.bounds().contains(entity.home()));
         let unnamed =
             self.block_entities.values().filter(|data| !matches!(data.get("id"), Some(Tag::String(_))));
         let empty =
@@ -175,7 +175,7 @@ mod tests {
     fn each_is_told() {
         let mut grid = row(&["oak_door[half=lower]", "stone[lit=true]", "glowing_rock", "air"]);
         grid.block_entities.insert([3, 0, 0], Compound::new());
-        grid.metadata.entities.push(Entity { place: [9.0, 0.0, 0.0], data: Compound::new() });
+        grid.metadata.entities.push(Entity { place: [9.0, 0.0, 0.0], block: None, data: Compound::new() });
         let expected = [
             "unknown blocks: glowing_rock",
             "`stone` has no property `lit`: it takes none",

@@ -1,7 +1,16 @@
-use super::Grid;
+use super::{Entity, Grid};
 use crate::space::{Bounds, Cell};
 
 impl Grid {
+    /// The pieces of this build in [`Grid::boxes`]. An entity outside of the build goes with the nearest of them.
+    pub fn pieces(&self, edge: u16) -> impl Iterator<Item = (Cell, Grid)> {
+        let last = self.size() - 1;
+        self.boxes(edge).map(move |(number, bounds)| {
+            let is_here = |entity: &Entity| bounds.contains(entity.home().min(last).max(Cell::ZERO));
+            (number, self.cropped_with(bounds, is_here))
+        })
+    }
+
     /// Boxes of at most `edge` blocks along each axis that make up this build: each with its number along x, y and z.
     pub fn boxes(&self, edge: u16) -> impl Iterator<Item = (Cell, Bounds)> {
         let (size, edge) = (self.size(), i32::from(edge.max(1)));

@@ -95,8 +95,7 @@ fn cell_box(cell: Cell) -> Bounds {
 }
 
 fn moved_metadata(old: &Metadata, motion: Motion, size: Cell) -> Metadata {
-    let region =
-        |region: &Region| Region { bounds: moved_box(motion, region.bounds, size), ..region.clone() };
+    let region = |region: &Region| region.moved(moved_box(motion, region.bounds, size));
     let corner = about_origin(motion, Bounds::of_size(size)).min;
     Metadata {
         data_version: old.data_version,

@@ -1,5 +1,6 @@
 use crate::grid::{Dialect, Grid, is_named};
 use crate::space::Cell;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::mem::discriminant;
 
@@ -10,6 +11,8 @@ pub enum Lost {
     /// Clients crash on them.
     UnnamedBlockEntities(usize),
     Entities(usize),
+    /// No format says what they are.
+    UnnamedEntities(usize),
     Biomes,
     Offset(Cell),
     /// The names of the tags.
@@ -17,7 +20,11 @@ pub enum Lost {
     /// Tags that only the format knows which the grid came in, by name.
     Own(Vec<String>),
     /// Their blocks are kept, as one whole.
-    Regions(usize),
+    Regions {
+        count: usize,
+        /// The names of the tags that they have.
+        tags: Vec<String>,
+    },
     Variants(usize),
     /// Cells that were to be left alone and become air.
     LeftAlone(usize),
@@ -45,6 +52,11 @@ impl Lost {
 
     pub(super) fn entities(grid: &Grid) -> Option<Lost> {
         some(grid.metadata.entities.len(), Lost::Entities)
+    }
+
+    pub(super) fn unnamed_entities(grid: &Grid) -> Option<Lost> {
+        let unnamed = grid.metadata.entities.iter().filter(|entity| !entity.data.contains_key("id"));
+        some(unnamed.count(), Lost::UnnamedEntities)
     }
 
     pub(super) fn biomes(grid: &Grid) -> Option<Lost> {
@@ -75,9 +87,17 @@ impl Lost {
         (!names.is_empty()).then_some(Lost::Own(names))
     }
 
-    /// A single region is lost by its name only, which is no loss to tell of.
+    /// A single region without tags is lost by its name only, which is no loss to tell of.
     pub(super) fn regions(grid: &Grid) -> Option<Lost> {
-        some(grid.metadata.regions.len(), Lost::Regions).filter(|_| grid.metadata.regions.len() > 1)
+        let regions = &grid.metadata.regions;
+        let is_told = regions.len() > 1 || regions.iter().any(|region| !region.tags.is_empty());
+        is_told.then(|| Lost::all_regions(grid))
+    }
+
+    pub(super) fn all_regions(grid: &Grid) -> Lost {
+        let regions = &grid.metadata.regions;
+        let tags: BTreeSet<&String> = regions.iter().flat_map(|region| region.tags.keys()).collect();
+        Lost::Regions { count: regions.len(), tags: tags.into_iter().cloned().collect() }
     }
 
     pub(super) fn variants(grid: &Grid) -> Option<Lost> {
@@ -120,11 +140,17 @@ impl fmt::Display for Lost {
                 write!(f, "{} without an `id`", counted(*count, "block entity", "block entities"))
             }
             Lost::Entities(count) => write!(f, "{}", counted(*count, "entity", "entities")),
+            Lost::UnnamedEntities(count) => {
+                write!(f, "{} without an `id`", counted(*count, "entity", "entities"))
+            }
             Lost::Biomes => write!(f, "biomes"),
             Lost::Offset(Cell { x, y, z }) => write!(f, "the offset ({x}, {y}, {z})"),
             Lost::Metadata(names) => write!(f, "metadata ({})", listed(names)),
             Lost::Own(names) => write!(f, "tags of its former format ({})", listed(names)),
-            Lost::Regions(count) => write!(f, "the bounds of {count} regions"),
+            Lost::Regions { count, tags } => {
+                write!(f, "the bounds of {}", counted(*count, "region", "regions"))?;
+                if tags.is_empty() { Ok(()) } else { write!(f, " with tags ({})", listed(tags)) }
+            }
             Lost::LeftAlone(count) => {
                 write!(f, "{} to be left alone, now air", counted(*count, "cell", "cells"))
             }

@@ -9,11 +9,11 @@
 //! What a file is, its content says: names and extensions are never asked.
 
 mod about;
-mod attached;
 mod axiom;
 mod blueprint;
 mod decode;
 mod encoded;
+mod entities;
 mod error;
 mod fields;
 mod file;

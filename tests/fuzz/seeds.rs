@@ -39,7 +39,8 @@ fn full() -> Grid {
     metadata.offset = Cell::new(-1, 2, -3);
     metadata.tags = tags([("Name", text("house")), ("Date", Tag::Long(1_700_000_000_000))]);
     metadata.own = Some(Own { dialect: Dialect::Sponge, tags: tags([("More", Tag::IntArray(vec![1, 2]))]) });
-    metadata.entities = vec![Entity { place: [0.5, 1.0, 2.5], data: tags([("id", text("minecraft:pig"))]) }];
+    metadata.entities =
+        vec![Entity { place: [0.5, 1.0, 2.5], block: None, data: tags([("id", text("minecraft:pig"))]) }];
     grid
 }
 

@@ -223,7 +223,7 @@ fn negative_sizes_reach_to_the_other_side() {
     assert_eq!(places, [&[1, 0, 0]], "block entities count from the low corner");
     let [frame] = &grid.metadata.entities[..] else { panic!("one entity") };
     assert_eq!(frame.place, [1.5, 0.0, 0.25], "entities count from the position");
-    assert_eq!(frame.data["TileX"], Tag::Int(1));
+    assert_eq!(frame.block, Some(Cell::X));
     let again = read_grid(&write(&grid));
     assert_eq!(
         (again.metadata.offset, &again.metadata.entities),
@@ -487,7 +487,7 @@ fn blocks_outside_of_the_regions_are_not_lost() {
         Region { name: "half".into(), bounds: Bounds::of_size(Cell::new(2, 1, 1)), tags: Compound::new() };
     grid.metadata.regions = vec![half.clone()];
     let encoded = encode_litematic(&grid, LitematicVersion::V6).unwrap();
-    assert_eq!(encoded.lost, [Lost::Regions(1)]);
+    assert_eq!(encoded.lost, [Lost::Regions { count: 1, tags: Vec::new() }]);
     assert!(read_grid(&encoded.bytes).same_blocks(&grid));
 
     let void = grid.intern(&state("structure_void")).unwrap();
@@ -541,7 +541,7 @@ fn entities_in_no_region_and_in_several() {
     let bounds = grid.bounds();
     let region = |name: &str| Region { name: name.into(), bounds, tags: Compound::new() };
     grid.metadata.regions = vec![region("a"), region("b")];
-    let pig = |x| Entity { place: [x, 0.0, 0.5], data: tags([("id", string("minecraft:pig"))]) };
+    let pig = |x| Entity { place: [x, 0.0, 0.5], block: None, data: tags([("id", string("minecraft:pig"))]) };
     grid.metadata.entities = vec![pig(-7.5), pig(0.5)];
     assert_eq!(read_grid(&write(&grid)).metadata.entities, grid.metadata.entities, "each once");
 }

@@ -70,6 +70,7 @@ fn any_grid() -> impl Strategy<Value = Grid> {
         let size = grid.size().to_array();
         let entity = |(place, id): ([f64; 3], String)| Entity {
             place: [0, 1, 2].map(|i| (place[i] * f64::from(size[i]) * 8.0).floor() / 8.0),
+            block: None,
             data: tags([("id", Tag::String(id))]),
         };
         grid.metadata.entities = entities.into_iter().map(entity).collect();
@@ -256,8 +257,11 @@ fn chunks_since_1_13_are_read_in_both_packings_and_all_compressions() {
             }
             let chest = tags([("id", Tag::String("minecraft:chest".into()))]);
             assert_eq!(grid.block_entities, [([3, 1, 15], chest)].into());
-            let cow =
-                Entity { place: [0.5, 4.5, 0.5], data: tags([("id", Tag::String("minecraft:cow".into()))]) };
+            let cow = Entity {
+                place: [0.5, 4.5, 0.5],
+                block: None,
+                data: tags([("id", Tag::String("minecraft:cow".into()))]),
+            };
             assert_eq!(grid.metadata.entities, [cow]);
             assert_eq!(grid.metadata.data_version, Some(data_version));
             assert_eq!(grid.metadata.offset, Cell::ZERO);

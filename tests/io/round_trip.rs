@@ -40,7 +40,7 @@ fn metadata() -> impl Strategy<Value = Metadata> {
             tags: tags([("Author", Tag::String(author))]),
             entities: entities
                 .into_iter()
-                .map(|(place, id)| Entity { place, data: tags([("id", Tag::String(id))]) })
+                .map(|(place, id)| Entity { place, block: None, data: tags([("id", Tag::String(id))]) })
                 .collect(),
             ..Metadata::default()
         },
@@ -74,7 +74,8 @@ pub fn grid() -> impl Strategy<Value = Grid> {
 /// Sums of coordinates round, so places are compared up to that.
 pub fn near(a: &[Entity], b: &[Entity]) -> bool {
     let close = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.data == b.data && close(a.place, b.place))
+    a.len() == b.len()
+        && a.iter().zip(b).all(|(a, b)| a.data == b.data && a.block == b.block && close(a.place, b.place))
 }
 
 proptest! {

@@ -8,10 +8,11 @@
 
 mod placeholder;
 
+use super::entities::{Found, Frame};
 use super::fields::Fields;
 use super::{Limits, ReadError, Warning, states, volume};
 use crate::block::Palette;
-use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
+use crate::grid::{Dialect, Grid, Metadata, Own};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
 
@@ -38,8 +39,12 @@ pub(super) fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warn
     let mut grid = volume::grid(size, cells, palette);
     let outside = block_entities(&root, &mut grid)?;
     grid.metadata = metadata(&root)?;
+    let mut found = Found::default();
+    found.add_list(&root.list("entities")?, Frame::LOW)?;
     let ground = (ground > 0).then_some(Warning::Ground(ground));
-    Ok((grid, outside.into_iter().chain(ground).collect()))
+    let warnings = [outside, ground, found.warning()];
+    grid.metadata.entities = found.entities;
+    Ok((grid, warnings.into_iter().flatten().collect()))
 }
 
 fn check_version(root: &Fields) -> Result<(), ReadError> {
@@ -108,7 +113,6 @@ fn metadata(root: &Fields) -> Result<Metadata, ReadError> {
         offset: offset(root)?,
         tags: tags(root)?,
         own: (!own.is_empty()).then_some(Own { dialect: Dialect::Blueprint, tags: own }),
-        entities: root.list("entities")?.iter().map(entity).collect::<Result<_, _>>()?,
         ..Metadata::default()
     })
 }
@@ -137,12 +141,4 @@ fn tags(root: &Fields) -> Result<Compound, ReadError> {
     let author = (!names.is_empty()).then_some(names);
     let tags = [("Name", name), ("Author", author)];
     Ok(tags.into_iter().filter_map(|(key, value)| Some((key.to_owned(), Tag::String(value?)))).collect())
-}
-
-fn entity(fields: &Fields) -> Result<Entity, ReadError> {
-    let place = fields.get("Pos")?;
-    fields.get::<&str>("id")?;
-    let mut data = fields.tags.clone();
-    data.remove("Pos");
-    Ok(Entity { place, data })
 }

@@ -2,23 +2,23 @@
 
 use super::XYZ;
 use super::region::Part;
-use crate::grid::{Entity, Grid, is_named};
-use crate::io::{ReadError, Warning, attached};
-use crate::nbt::{Compound, Tag};
+use crate::grid::{Grid, is_named};
+use crate::io::entities::{Found, Frame};
+use crate::io::{ReadError, Warning};
+use crate::nbt::Tag;
 use crate::space::{Bounds, Cell};
 
 /// Puts the entities and block entities of all regions into `grid`, whose offset is known.
 pub(super) fn read(parts: &[Part], grid: &mut Grid) -> Result<Vec<Warning>, ReadError> {
     let mut outside = 0;
-    let mut unnamed = 0;
+    let mut found = Found::default();
     for part in parts {
         outside += read_block_entities(part, grid)?;
-        unnamed += read_entities(part, grid)?;
+        let low = grid.metadata.offset.wrapping_sub(part.position);
+        found.add_list(&part.fields.list("Entities")?, Frame::at(low))?;
     }
-    let warnings = [
-        (outside > 0).then_some(Warning::BlockEntitiesOutside(outside)),
-        (unnamed > 0).then_some(Warning::EntitiesUnnamed(unnamed)),
-    ];
+    let warnings = [(outside > 0).then_some(Warning::BlockEntitiesOutside(outside)), found.warning()];
+    grid.metadata.entities = found.entities;
     Ok(warnings.into_iter().flatten().collect())
 }
 
@@ -41,23 +41,6 @@ fn read_block_entities(part: &Part, grid: &mut Grid) -> Result<usize, ReadError>
     Ok(outside)
 }
 
-/// The number of those that do not say what they are.
-fn read_entities(part: &Part, grid: &mut Grid) -> Result<usize, ReadError> {
-    let by = part.position - grid.metadata.offset;
-    let mut unnamed = 0;
-    for fields in part.fields.list("Entities")? {
-        let place = moved(fields.get("Pos")?, by);
-        let mut data = fields.tags.clone();
-        data.remove("Pos");
-        attached::shift(&mut data, by, place);
-        match is_named(&data) {
-            true => grid.metadata.entities.push(Entity { place, data }),
-            false => unnamed += 1,
-        }
-    }
-    Ok(unnamed)
-}
-
 /// The block entities within `bounds`. Those without an `id` stay away: clients crash on them.
 pub(super) fn write_block_entities(grid: &Grid, bounds: Bounds) -> Tag {
     let entries = grid.block_entities.iter().filter_map(|(&place, data)| {
@@ -70,17 +53,4 @@ pub(super) fn write_block_entities(grid: &Grid, bounds: Bounds) -> Tag {
         })
     });
     Tag::List(entries.collect())
-}
-
-/// The entity as a region has it whose `Position` is its low corner, `low`.
-pub(super) fn write_entity(entity: &Entity, low: Cell) -> Tag {
-    let mut data: Compound = entity.data.clone();
-    let place = moved(entity.place, -low);
-    attached::shift(&mut data, -low, place);
-    data.insert("Pos".to_owned(), Tag::List(place.map(Tag::Double).to_vec()));
-    Tag::Compound(data)
-}
-
-fn moved(place: [f64; 3], by: Cell) -> [f64; 3] {
-    (glam::DVec3::from_array(place) + by.as_dvec3()).to_array()
 }

@@ -19,7 +19,7 @@ pub(super) struct Piece<'a> {
 pub(super) fn of(grid: &Grid) -> (Vec<Piece<'_>>, Option<Lost>) {
     let regions = &grid.metadata.regions;
     if regions.is_empty() || !cover(grid) {
-        let lost = (!regions.is_empty()).then_some(Lost::Regions(regions.len()));
+        let lost = (!regions.is_empty()).then(|| Lost::all_regions(grid));
         return (vec![whole(grid)], lost);
     }
     let mut names = BTreeSet::new();

@@ -2,9 +2,10 @@ use super::metadata::{self, Totals, xyz};
 use super::pieces::{self, Piece};
 use super::{PENDING, blocks, entities};
 use crate::grid::{Dialect, Grid};
+use crate::io::entities::Frame;
 use crate::io::error::Size;
 use crate::io::states::Complete;
-use crate::io::{Encoded, Lost, WriteError, gzip};
+use crate::io::{self, Encoded, Lost, WriteError, gzip};
 use crate::nbt::{self, Compound, Endian, Tag};
 use crate::space::Cell;
 
@@ -79,9 +80,9 @@ fn placed(grid: &Grid, piece: &Piece) -> Result<Compound, WriteError> {
 fn entities_by_piece(grid: &Grid, pieces: &[Piece]) -> Vec<Vec<Tag>> {
     let mut by_piece = vec![Vec::new(); pieces.len()];
     for entity in &grid.metadata.entities {
-        let cell = glam::DVec3::from_array(entity.place).floor().as_ivec3();
-        let home = pieces.iter().position(|piece| piece.bounds.contains(cell)).unwrap_or_default();
-        by_piece[home].push(entities::write_entity(entity, pieces[home].bounds.min));
+        let home = pieces.iter().position(|piece| piece.bounds.contains(entity.home())).unwrap_or_default();
+        let frame = Frame::at(-pieces[home].bounds.min);
+        by_piece[home].push(io::entities::write(entity, frame, grid.metadata.data_version));
     }
     by_piece
 }

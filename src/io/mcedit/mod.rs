@@ -11,11 +11,12 @@
 
 mod block_entities;
 mod blocks;
+mod entities;
 
 use super::fields::Fields;
 use super::{Limits, ReadError, Warning, legacy, volume};
 use crate::block::LEGACY_DATA_VERSION;
-use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
+use crate::grid::{Dialect, Grid, Metadata, Own};
 use crate::nbt::Compound;
 use crate::neighbours;
 use crate::space::Cell;
@@ -48,8 +49,11 @@ pub(super) fn decode(root: &Compound, limits: &Limits) -> Result<(Grid, Vec<Warn
     legacy::name_upper_halves(&mut grid).map_err(volume::full("Blocks"))?;
     grid.metadata = metadata(&root)?;
     neighbours::settle(&mut grid).map_err(volume::full("Blocks"))?;
-    let entities = grid.metadata.entities.len();
-    warnings.extend((entities > 0).then_some(Warning::OldEntities(entities)));
+    let found = entities::read(&root, size)?;
+    warnings.extend(found.warning());
+    let old = found.entities.len();
+    warnings.extend((old > 0).then_some(Warning::OldEntities(old)));
+    grid.metadata.entities = found.entities;
     Ok((grid, warnings))
 }
 
@@ -69,15 +73,6 @@ fn metadata(root: &Fields) -> Result<Metadata, ReadError> {
         data_version: Some(LEGACY_DATA_VERSION),
         offset: Cell::new(x?.unwrap_or(0), y?.unwrap_or(0), z?.unwrap_or(0)),
         own: (!own.is_empty()).then_some(Own { dialect: Dialect::Mcedit, tags: own }),
-        entities: root.list("Entities")?.iter().map(entity).collect::<Result<_, _>>()?,
         ..Metadata::default()
     })
-}
-
-fn entity(fields: &Fields) -> Result<Entity, ReadError> {
-    let place = fields.get("Pos")?;
-    fields.get::<&str>("id")?;
-    let mut data = fields.tags.clone();
-    data.remove("Pos");
-    Ok(Entity { place, data })
 }

@@ -14,9 +14,10 @@ mod block_entities;
 mod blocks;
 mod palette;
 
+use super::entities::{self, Found, Frame};
 use super::fields::Fields;
 use super::{Limits, ReadError, Warning, volume};
-use crate::grid::{Dialect, Entity, Grid, Metadata, Own};
+use crate::grid::{Dialect, Grid, Metadata, Own};
 use crate::nbt::{self, Compound, Endian, Tag};
 use crate::neighbours;
 use crate::space::Cell;
@@ -37,7 +38,10 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     let mut grid = volume::grid(size, cells.numbers, cells.palette);
     let (outside, mut foreign) = block_entities::read(&default, &mut grid)?;
     neighbours::settle(&mut grid).map_err(volume::full(default.path("block_palette")))?;
-    grid.metadata = metadata(&root, &structure)?;
+    grid.metadata = metadata(&root);
+    let found = entities(&root, &structure)?;
+    warnings.extend(found.warning());
+    grid.metadata.entities = found.entities;
     foreign += grid.metadata.entities.len();
     warnings.extend((outside > 0).then_some(Warning::BlockEntitiesOutside(outside)));
     warnings.extend((foreign > 0).then_some(Warning::BedrockData(foreign)));
@@ -64,26 +68,23 @@ fn size(root: &Fields) -> Result<Cell, ReadError> {
     }
 }
 
-fn metadata(root: &Fields, structure: &Fields) -> Result<Metadata, ReadError> {
-    let origin = root.find::<[i32; 3]>("structure_world_origin")?.unwrap_or_default();
-    let entities = structure.list("entities")?;
+fn metadata(root: &Fields) -> Metadata {
     let mut own = root.tags.clone();
     own.retain(|name, _| !KNOWN.contains(&name.as_str()));
-    Ok(Metadata {
-        own: (!own.is_empty()).then_some(Own { dialect: Dialect::Bedrock, tags: own }),
-        entities: entities.iter().map(|fields| entity(fields, origin)).collect::<Result<_, _>>()?,
-        ..Metadata::default()
-    })
+    let own = (!own.is_empty()).then_some(Own { dialect: Dialect::Bedrock, tags: own });
+    Metadata { own, ..Metadata::default() }
 }
 
 /// Entities stand where they stood in the world.
-fn entity(fields: &Fields, origin: [i32; 3]) -> Result<Entity, ReadError> {
-    let place = fields.get::<[f64; 3]>("Pos")?;
-    let mut data = fields.tags.clone();
-    data.remove("Pos");
-    if let Some(Tag::String(id)) = data.remove("identifier") {
-        data.insert("id".to_owned(), Tag::String(id));
+fn entities(root: &Fields, structure: &Fields) -> Result<Found, ReadError> {
+    let origin = root.find("structure_world_origin")?.map_or(Cell::ZERO, Cell::from_array);
+    let mut found = Found::default();
+    for fields in structure.list("entities")? {
+        let mut data = fields.tags.clone();
+        if let Some(Tag::String(id)) = data.remove("identifier") {
+            data.insert("id".to_owned(), Tag::String(id));
+        }
+        found.add(entities::read(fields.get("Pos")?, data, Frame::at(origin)));
     }
-    let place = [0, 1, 2].map(|axis| place[axis] - f64::from(origin[axis]));
-    Ok(Entity { place, data })
+    Ok(found)
 }

@@ -4,7 +4,8 @@ use super::section::Section;
 use super::world::World;
 use super::{CHUNK, EDGE, versions};
 use crate::block::{BlockState, PaletteFull, Version};
-use crate::grid::{Entity, Grid, is_named};
+use crate::grid::Grid;
+use crate::io::entities::{Found, Frame};
 use crate::io::error::Size;
 use crate::io::fields::Fields;
 use crate::io::legacy::{self, Strangers};
@@ -26,14 +27,19 @@ pub fn decode_region(bytes: &[u8], limits: &Limits) -> Result<Decoded, ReadError
     decode(&World::of_bytes(bytes), None, limits)
 }
 
-fn decode(world: &World, part: Option<Bounds>, limits: &Limits) -> Result<Decoded, ReadError> {
-    let part = part.map_or_else(|| extent(world, limits), Ok)?;
-    let (grid, warnings) = read(world, part, limits)?;
+fn decode(world: &World, wanted: Option<Bounds>, limits: &Limits) -> Result<Decoded, ReadError> {
+    let part = wanted.map_or_else(|| extent(world, limits), Ok)?;
+    let (grid, warnings) = read(world, part, wanted, limits)?;
     let about = About { format: Format::Region, version: None, place: Some(part.min) };
     Ok(Decoded { about, content: Content::Grid(grid), warnings })
 }
 
-fn read(world: &World, part: Bounds, limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
+fn read(
+    world: &World,
+    part: Bounds,
+    wanted: Option<Bounds>,
+    limits: &Limits,
+) -> Result<(Grid, Vec<Warning>), ReadError> {
     let Bounds { min, max } = part;
     if min.cmpge(max).any() || min.min_element() < -EDGE || max.max_element() > EDGE {
         return Err(ReadError::NoPart { from: min, to: max });
@@ -44,11 +50,16 @@ fn read(world: &World, part: Bounds, limits: &Limits) -> Result<(Grid, Vec<Warni
     }
     let mut reading = Reading::new(part);
     let mut misplaced = 0;
+    // What hangs in the part may have its middle in the next chunk.
+    let around = wanted.map(|part| Bounds::new(part.min - 1, part.max + 1));
     for region in &world.blocks {
-        misplaced += region.visit(Some(part), limits, &mut |chunk| reading.add(chunk))?;
+        misplaced += region.visit(around, limits, &mut |chunk| reading.add(chunk))?;
     }
     for region in &world.entities {
-        misplaced += region.visit(Some(part), limits, &mut |chunk| reading.add_entities(chunk))?;
+        misplaced += region.visit(around, limits, &mut |chunk| reading.add_entities(chunk))?;
+    }
+    if wanted.is_some() {
+        reading.leave_outsiders();
     }
     let (grid, mut warnings) = reading.finish()?;
     warnings.extend((misplaced > 0).then_some(Warning::ChunksMisplaced(misplaced)));
@@ -99,7 +110,7 @@ struct Reading {
     data_versions: Option<[i32; 2]>,
     numbered: Numbered,
     numbered_biomes: usize,
-    unnamed_entities: usize,
+    found: Found,
 }
 
 /// What chunks from before Minecraft 1.13 hold.
@@ -121,14 +132,14 @@ impl Reading {
             data_versions: None,
             numbered: Numbered::default(),
             numbered_biomes: 0,
-            unnamed_entities: 0,
+            found: Found::default(),
         }
     }
 
     fn add(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
         let Some(column) = chunk.column()? else { return Ok(()) };
         if column.within(self.part).is_empty() {
-            return Ok(());
+            return self.add_entities(chunk);
         }
         let sections = chunk.sections()?;
         let told_by = chunk.told_by(&sections);
@@ -145,10 +156,10 @@ impl Reading {
         for fields in chunk.block_entities()? {
             self.add_block_entity(&fields, told_by)?;
         }
-        let others = self.grid.metadata.entities.len();
+        let others = self.found.entities.len();
         self.add_entities(chunk)?;
         if told_by == Blocks::Numbers {
-            self.numbered.entities += self.grid.metadata.entities.len() - others;
+            self.numbered.entities += self.found.entities.len() - others;
         }
         Ok(())
     }
@@ -207,26 +218,20 @@ impl Reading {
     }
 
     fn add_entities(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
-        for fields in chunk.entities()? {
-            let place = glam::DVec3::from_array(fields.get("Pos")?);
-            if !self.part.contains(place.floor().as_ivec3()) {
-                continue;
-            }
-            let mut data = fields.tags.clone();
-            data.remove("Pos");
-            if !is_named(&data) {
-                self.unnamed_entities += 1;
-                continue;
-            }
-            let place = (place - self.part.min.as_dvec3()).to_array();
-            self.grid.metadata.entities.push(Entity { place, data });
-        }
-        Ok(())
+        self.found.add_list(&chunk.entities()?, Frame::at(self.part.min))
+    }
+
+    /// Leaves out what does not belong to the part.
+    fn leave_outsiders(&mut self) {
+        let inside = self.grid.bounds();
+        self.found.entities.retain(|entity| inside.contains(entity.home()));
     }
 
     fn finish(mut self) -> Result<(Grid, Vec<Warning>), ReadError> {
         let unmade = self.leave_unmade_alone()?;
         self.grid.metadata.data_version = self.data_versions.map(|[_, highest]| highest);
+        let unnamed = self.found.warning();
+        self.grid.metadata.entities = self.found.entities;
         self.grid.metadata.biomes = self.biomes.finish();
         versions::bring_to_highest(&mut self.grid, self.part, &self.made).map_err(full)?;
         if self.numbered.chunks > 0 {
@@ -237,7 +242,7 @@ impl Reading {
         let warnings = [
             (unmade > 0).then_some(Warning::ChunksNotMade(unmade)),
             (self.numbered_biomes > 0).then_some(Warning::BiomesByNumber),
-            (self.unnamed_entities > 0).then_some(Warning::EntitiesUnnamed(self.unnamed_entities)),
+            unnamed,
             mixed.map(|[first, last]| Warning::MixedVersions { first, last }),
         ];
         Ok((self.grid, warnings.into_iter().flatten().chain(self.numbered.warnings()).collect()))

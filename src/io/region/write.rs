@@ -7,7 +7,8 @@ use super::world::beside_name;
 use super::{CHUNK, REGION, biomes};
 use crate::block::{Palette, complete_in};
 use crate::grid::{Grid, is_named};
-use crate::io::{DEFAULT_DATA_VERSION, Lost, WriteError};
+use crate::io::entities::Frame;
+use crate::io::{self, DEFAULT_DATA_VERSION, Lost, WriteError};
 use crate::nbt::{self, Compound, Tag};
 use crate::space::{Bounds, Cell};
 use flate2::Compression;
@@ -242,12 +243,11 @@ impl Build<'_> {
     fn entities(&self) -> BTreeMap<[i32; 2], Vec<Tag>> {
         let mut chunks: BTreeMap<[i32; 2], Vec<Tag>> = BTreeMap::new();
         for entity in &self.grid.metadata.entities {
-            let place = glam::DVec3::from_array(entity.place) + self.at.as_dvec3();
-            let cell = place.floor().as_ivec3();
-            let mut data = entity.data.clone();
-            data.insert("Pos".to_owned(), Tag::List(place.to_array().map(Tag::Double).to_vec()));
+            // Here the game goes by the place and not by the block.
+            let cell = (glam::DVec3::from_array(entity.place) + self.at.as_dvec3()).floor().as_ivec3();
             let chunk = [cell.x, cell.z].map(|n| n.div_euclid(CHUNK));
-            chunks.entry(chunk).or_default().push(Tag::Compound(data));
+            let data = io::entities::write(entity, Frame::at(self.at), Some(self.data_version));
+            chunks.entry(chunk).or_default().push(data);
         }
         chunks
     }

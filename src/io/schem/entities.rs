@@ -5,10 +5,12 @@
 //! |---|---|---|
 //! | data | beside `Pos` and `Id` | in `Data` |
 //! | place of an entity | in the world, where the low corner is at `Offset` | from the low corner |
+//! | block that it hangs in | as its place | in the world, where the low corner is at `Offset` from `Origin` |
 
 use super::SchemVersion;
-use super::body::Entry;
-use crate::grid::{Entity, Grid, is_named};
+use super::body::{Entry, Layout};
+use crate::grid::{Grid, is_named};
+use crate::io::entities::{self, Found, Frame};
 use crate::io::{ReadError, Warning};
 use crate::nbt::{Compound, Compounds, Part, Tag, View};
 use crate::space::{Bounds, Cell};
@@ -40,22 +42,35 @@ pub(super) fn block_entities(
     Ok(block_entities)
 }
 
-/// The entities of a schematic. `origin` is where its places count from, seen from its low corner.
-pub(super) fn entities(
-    entries: Vec<Entry>,
-    origin: Cell,
-    warnings: &mut Vec<Warning>,
-) -> Result<Vec<Entity>, ReadError> {
-    let mut entities = Vec::new();
-    for entry in entries {
-        let place = shift(entry.fields().get("Pos")?, -origin.as_dvec3());
-        entities.push(Entity { place, data: data(entry)? });
+/// Where the low corner is at `corner`, by a layout. `metadata` are those of the file.
+pub(super) fn frame(layout: Layout, corner: Cell, metadata: &Compound) -> Frame {
+    match layout {
+        Layout::Flat => Frame::at(corner),
+        Layout::Nested => Frame { places: Cell::ZERO, blocks: corner.wrapping_add(origin(metadata)) },
     }
-    let found = entities.len();
-    entities.retain(|entity| is_named(&entity.data));
-    let unnamed = found - entities.len();
-    warnings.extend((unnamed > 0).then_some(Warning::EntitiesUnnamed(unnamed)));
-    Ok(entities)
+}
+
+/// Where in its world a build was copied, as WorldEdit says in files of version 3. It moves no entity to its low corner but
+/// in place: the blocks that they hang in stay as they were in that world.
+fn origin(metadata: &Compound) -> Cell {
+    let origin = match metadata.get("WorldEdit") {
+        Some(Tag::Compound(worldedit)) => worldedit.get("Origin"),
+        _ => None,
+    };
+    match origin {
+        Some(Tag::IntArray(origin)) => origin.as_slice().try_into().map_or(Cell::ZERO, Cell::from_array),
+        _ => Cell::ZERO,
+    }
+}
+
+/// The entities of a schematic.
+pub(super) fn entities(entries: Vec<Entry>, frame: Frame) -> Result<Found, ReadError> {
+    let mut found = Found::default();
+    for entry in entries {
+        let place = entry.fields().get("Pos")?;
+        found.add(entities::read(place, data(entry)?, frame));
+    }
+    Ok(found)
 }
 
 /// The data in the game's form: with `id`, without a place.
@@ -69,36 +84,38 @@ fn data(entry: Entry) -> Result<Compound, ReadError> {
     Ok(data)
 }
 
-fn shift(place: [f64; 3], by: glam::DVec3) -> [f64; 3] {
-    (glam::DVec3::from_array(place) + by).to_array()
-}
-
 /// The `named` block entities of `grid`. Those without an `id` stay away: clients crash on them.
 pub(super) fn write_block_entities(grid: &Grid, named: usize, version: SchemVersion) -> Compounds<'_> {
     let entries = grid
         .block_entities
         .iter()
-        .filter_map(move |(place, data)| view(Tag::IntArray(place.to_vec()), data, version));
+        .filter_map(move |(place, data)| view(Tag::IntArray(place.to_vec()), data, Vec::new(), version));
     Compounds { len: named, each: Box::new(entries) }
 }
 
 /// The entities of `grid` that have an `id`.
 pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Compounds<'_> {
-    let corner = match version {
-        SchemVersion::V2 => grid.metadata.offset,
-        SchemVersion::V3 => Cell::ZERO,
+    let layout = match version {
+        SchemVersion::V2 => Layout::Flat,
+        SchemVersion::V3 => Layout::Nested,
     };
-    let entities = &grid.metadata.entities;
-    let entries = entities.iter().filter_map(move |entity| {
-        let place = shift(entity.place, corner.as_dvec3()).map(Tag::Double);
-        view(Tag::List(place.to_vec()), &entity.data, version)
+    let metadata = &grid.metadata;
+    let frame = frame(layout, metadata.offset, &metadata.tags);
+    let entries = metadata.entities.iter().filter_map(move |entity| {
+        let block = entities::block_tags(entity, frame, metadata.data_version);
+        view(entities::place(entity, frame), &entity.data, block, version)
     });
-    let len = entities.iter().filter(|entity| is_named(&entity.data)).count();
+    let len = metadata.entities.iter().filter(|entity| is_named(&entity.data)).count();
     Compounds { len, each: Box::new(entries) }
 }
 
-/// `None` where the data do not say what they are of.
-fn view(place: Tag, data: &Compound, version: SchemVersion) -> Option<View<'_>> {
+/// `None` where the data do not say what they are of. `block` are tags beside the data.
+fn view<'a>(
+    place: Tag,
+    data: &'a Compound,
+    block: Vec<(&'static str, Tag)>,
+    version: SchemVersion,
+) -> Option<View<'a>> {
     let mut id = None;
     let mut rest = Vec::with_capacity(data.len() + 1);
     for (name, tag) in data {
@@ -108,6 +125,7 @@ fn view(place: Tag, data: &Compound, version: SchemVersion) -> Option<View<'_>> 
             name => rest.push((name, Part::Tag(tag))),
         }
     }
+    rest.extend(block.into_iter().map(|(name, tag)| (name, Part::New(tag))));
     let mut entry = match version {
         SchemVersion::V2 => rest,
         SchemVersion::V3 => vec![("Data", Part::Compound(rest))],

@@ -1,6 +1,6 @@
 use super::arrays::Incoming;
 use super::blocks::{self, Palettes};
-use super::body::{Body, Layout};
+use super::body::Body;
 use super::{WE_OFFSET, biomes, entities};
 use crate::grid::{Grid, Metadata};
 use crate::io::error::Size;
@@ -25,13 +25,10 @@ pub fn decode(
     grid.metadata = metadata(&fields, corner)?;
     grid.metadata.biomes = biomes::read(&fields, &mut arrays, grid.size(), &mut warnings)?;
 
-    // Where the places of entities count from.
-    let origin = match body.layout() {
-        Layout::Flat => corner,
-        Layout::Nested => Cell::ZERO,
-    };
-    let entries = body.take_entities()?;
-    grid.metadata.entities = entities::entities(entries, origin, &mut warnings)?;
+    let frame = entities::frame(body.layout(), corner, &grid.metadata.tags);
+    let found = entities::entities(body.take_entities()?, frame)?;
+    warnings.extend(found.warning());
+    grid.metadata.entities = found.entities;
     let entries = body.take_block_entities()?;
     grid.block_entities = entities::block_entities(entries, grid.bounds(), corner, &mut warnings)?;
     grid.metadata.own = body.own();

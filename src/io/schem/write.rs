@@ -85,6 +85,7 @@ impl Source for Long<'_> {
 fn lost(grid: &Grid, version: SchemVersion) -> Vec<Lost> {
     let lost = [
         Lost::unnamed_block_entities(grid),
+        Lost::unnamed_entities(grid),
         biomes::lost(grid, version),
         lost_in_blocks(grid, version),
         Lost::own(grid, Some(Dialect::Sponge)),

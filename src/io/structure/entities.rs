@@ -1,35 +1,30 @@
-use crate::grid::{Entity, Grid, is_named};
+use crate::grid::Grid;
+use crate::io::ReadError;
+use crate::io::entities::{self, Found, Frame};
 use crate::io::fields::Fields;
-use crate::io::{ReadError, attached};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
 
-/// The entities of a structure, and how many do not say what they are.
-pub(super) fn read(root: &Fields) -> Result<(Vec<Entity>, usize), ReadError> {
-    let mut entities = Vec::new();
-    let mut unnamed = 0;
+pub(super) fn read(root: &Fields) -> Result<Found, ReadError> {
+    let mut found = Found::default();
     for fields in root.list("entities")? {
         let place = fields.get("pos")?;
         let mut data = fields.get::<&Compound>("nbt")?.clone();
-        data.remove("Pos");
-        if let Some(block) = fields.find("blockPos")? {
-            attached::set_block(&mut data, Cell::from_array(block));
-        }
-        match is_named(&data) {
-            true => entities.push(Entity { place, data }),
-            false => unnamed += 1,
-        }
+        // The game writes the block as in the structure beside the data, which keep that in the world.
+        let beside = fields.find("blockPos")?.map(Cell::from_array);
+        let block = entities::take_block(&mut data).map(|within| beside.unwrap_or(within));
+        found.add(entities::with_block(place, block, data));
     }
-    Ok((entities, unnamed))
+    Ok(found)
 }
 
 pub(super) fn write(grid: &Grid) -> Tag {
-    let entries = grid.metadata.entities.iter().map(|Entity { place, data }| {
-        let block = attached::block(data, Cell::ZERO, *place);
+    let entries = grid.metadata.entities.iter().map(|entity| {
+        let data = entities::data(entity, Frame::LOW, grid.metadata.data_version);
         Tag::Compound(Compound::from([
-            ("pos".to_owned(), Tag::List(place.map(Tag::Double).to_vec())),
-            ("blockPos".to_owned(), Tag::List(block.to_array().map(Tag::Int).to_vec())),
-            ("nbt".to_owned(), Tag::Compound(data.clone())),
+            ("pos".to_owned(), entities::place(entity, Frame::LOW)),
+            ("blockPos".to_owned(), Tag::List(entity.home().to_array().map(Tag::Int).to_vec())),
+            ("nbt".to_owned(), Tag::Compound(data)),
         ]))
     });
     Tag::List(entries.collect())

@@ -27,15 +27,15 @@ pub fn decode(
     let Look { mut grid, replaced, jigsaws } = looks.next().expect("there is a palette");
     grid.variants = looks.map(|look| look.grid).collect();
     grid.metadata = metadata(&root)?;
-    let (entities, unnamed) = entities::read(&root)?;
-    grid.metadata.entities = entities;
+    let found = entities::read(&root)?;
 
     let counted = [
         (outside, Warning::BlocksOutside as fn(usize) -> Warning),
         (replaced, Warning::BlocksReplaced),
         (jigsaws, Warning::Jigsaws),
-        (unnamed, Warning::EntitiesUnnamed),
+        (found.unnamed, Warning::EntitiesUnnamed),
     ];
+    grid.metadata.entities = found.entities;
     let warnings = counted.into_iter().filter(|&(count, _)| count > 0).map(|(count, of)| of(count));
     Ok((grid, warnings.collect()))
 }
