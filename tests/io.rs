@@ -8,6 +8,8 @@ mod blueprint;
 mod data;
 #[path = "common/examples/mod.rs"]
 mod examples;
+#[path = "io/hanging.rs"]
+mod hanging;
 #[path = "io/hostile.rs"]
 mod hostile;
 #[path = "io/litematic.rs"]

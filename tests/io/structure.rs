@@ -144,7 +144,7 @@ fn what_is_not_there_is_left_alone() {
     assert_eq!(written, &[placed(0, 0), placed(2, 1)]);
 }
 
-fn nbt_root(bytes: &[u8]) -> Compound {
+pub fn nbt_root(bytes: &[u8]) -> Compound {
     let mut plain = Vec::new();
     std::io::Read::read_to_end(&mut flate2::read::GzDecoder::new(bytes), &mut plain).unwrap();
     nbt::read(&plain, &nbt::Limits::default()).unwrap().1
