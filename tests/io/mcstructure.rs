@@ -87,7 +87,7 @@ fn block_entities_decide_states() {
         (
             block("minecraft:skull", [("facing_direction", Tag::Int(1))]),
             tags([id("Skull"), ("SkullType", Tag::Byte(2)), ("Rotation", Tag::Float(-90.0))]),
-            "zombie_head[powered=false,rotation=12]",
+            "zombie_head[rotation=12]",
         ),
         (
             block("minecraft:flower_pot", [("update_bit", Tag::Byte(0))]),
