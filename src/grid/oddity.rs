@@ -1,5 +1,5 @@
 use super::Grid;
-use crate::block::{self, BlockState, Facing, Version};
+use crate::block::{self, BlockState, Version};
 use crate::nbt::Tag;
 use crate::space::Cell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,30 +56,19 @@ impl Grid {
 
     fn lone_halves(&self) -> BTreeMap<String, u64> {
         let states = self.palette.states();
-        let steps: Vec<Option<Cell>> = states.iter().map(to_other_half).collect();
+        let steps = states.iter().map(|state| Some(block::other_half(state)?.0));
+        let steps: Vec<Option<Cell>> = steps.collect();
         let mut lone = BTreeMap::new();
         for ((y, z, x), id) in self.cells.indexed_iter() {
             let Some(step) = steps[usize::from(*id)] else { continue };
             let other = Cell::new(x as i32, y as i32, z as i32) + step;
             let state = &states[usize::from(*id)];
-            let is_there = self.bounds().contains(other) && self.get(other).name() == state.name();
+            let is_there = self.bounds().contains(other) && block::is_other_half(state, self.get(other));
             if !is_there {
                 *lone.entry(state.short_name().to_owned()).or_insert(0) += 1;
             }
         }
         lone
-    }
-}
-
-/// Where the other half of a door, a bed or a tall plant stands.
-fn to_other_half(state: &BlockState) -> Option<Cell> {
-    let facing = || state.get("facing").and_then(Facing::named);
-    match (state.get("half"), state.get("part")) {
-        (Some("lower"), _) => Some(Cell::Y),
-        (Some("upper"), _) => Some(Cell::NEG_Y),
-        (_, Some("foot")) => Some(facing()?.step()),
-        (_, Some("head")) => Some(facing()?.opposite().step()),
-        _ => None,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::joint::{Joint, bare};
 use super::settle;
-use crate::block::{BlockState, Facing, PaletteFull};
+use crate::block::{self, BlockState, Facing, PaletteFull};
 use crate::grid::Grid;
 use crate::space::Cell;
 use std::fmt;
@@ -74,40 +74,33 @@ fn facing(state: &BlockState) -> Option<Facing> {
     state.get("facing").and_then(Facing::named)
 }
 
-/// The other half of `state`: the step to it, and what tells it from this one.
-fn other_half(state: &BlockState) -> Option<(Cell, &'static str, &'static str)> {
-    match (state.get("half"), state.get("part")) {
-        (Some("lower"), _) => Some((Cell::Y, "half", "upper")),
-        (Some("upper"), _) => Some((-Cell::Y, "half", "lower")),
-        (_, Some("foot")) => Some((facing(state)?.step(), "part", "head")),
-        (_, Some("head")) => Some((-facing(state)?.step(), "part", "foot")),
-        _ => None,
-    }
-}
-
 /// Gives halves that stand alone their other half where there is room for it, and takes them away where not; makes
 /// halves that belong together say the same.
 fn halves(grid: &mut Grid) -> Result<usize, PaletteFull> {
     let mut mended = 0;
-    for (cell, joint) in cells_of(grid, &[Joint::Door, Joint::Plant, Joint::Bed]) {
-        let own = grid.get(cell).clone();
-        let Some((step, key, half)) = other_half(&own) else { continue };
-        let Some(other) = at(grid, cell + step) else { continue };
-        let lies_alike = joint != Joint::Bed || facing(other) == facing(&own);
-        let (place, state) = if other.name() == own.name() && other.get(key) == Some(half) && lies_alike {
-            (cell, agreed(&own, other))
-        } else if other.is_air() {
-            (cell + step, own.clone().with(key, half))
-        } else {
-            grid.block_entities.remove(&cell.to_array());
-            (cell, BlockState::air())
-        };
+    for (cell, _) in cells_of(grid, &[Joint::Door, Joint::Plant, Joint::Bed]) {
+        let Some((place, state)) = whole(grid, cell) else { continue };
         if *grid.get(place) != state {
+            if place == cell && state.name() != grid.get(cell).name() {
+                grid.block_entities.remove(&cell.to_array());
+            }
             put(grid, place, &state)?;
             mended += 1;
         }
     }
     Ok(mended)
+}
+
+/// What is to stand where, for the half at `cell` to be part of a whole.
+fn whole(grid: &Grid, cell: Cell) -> Option<(Cell, BlockState)> {
+    let own = grid.get(cell);
+    let (step, half) = block::other_half(own)?;
+    let other = at(grid, cell + step)?;
+    if block::is_other_half(own, other) {
+        return Some((cell, agreed(own, other)));
+    }
+    let placed = block::placed_half(half, other).map(|half| (cell + step, half));
+    Some(placed.unwrap_or_else(|| (cell, block::left_behind(own))))
 }
 
 /// The lower half of a door knows where it faces and whether it is open, the upper one the rest.

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use vox::block::BlockState;
 use vox::grid::Grid;
-use vox::neighbours::{bare, settle, unsettle};
+use vox::neighbours::{bare, mend, settle, unsettle};
 use vox::space::Cell;
 
 fn house(file: &Path) -> Grid {
@@ -87,4 +87,19 @@ fn houses_come_back_from_what_they_leave_open() {
         settle(&mut open).unwrap();
         assert_eq!(differences(&house, &open), [], "{}", file.display());
     }
+}
+
+#[test]
+fn houses_need_no_mending_but_where_the_game_would_mend_them() {
+    let Some(folder) = folder() else { return };
+    let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
+    for file in files(&folder) {
+        let house = house(&file);
+        let mut mended = house.clone();
+        mend(&mut mended).unwrap();
+        for cell in differences(&house, &mended) {
+            *kinds.entry(kind(&house, cell)).or_default() += 1;
+        }
+    }
+    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), []);
 }

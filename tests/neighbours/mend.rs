@@ -120,3 +120,40 @@ proptest! {
         prop_assert_eq!(states(&mended) == states(&whole), count == Mended::default());
     }
 }
+
+/// One block above the other, mended.
+fn column(states: [&str; 2]) -> [String; 2] {
+    let (grid, _) = mended(&grid(Cell::new(1, 2, 1), &states));
+    [Cell::ZERO, Cell::Y].map(|cell| grid.get(cell).short())
+}
+
+#[test]
+fn crops_have_an_upper_half_once_they_are_tall() {
+    for age in 0..=4 {
+        let lower = format!("pitcher_crop[age={age},half=lower]");
+        let above = if age < 3 { "air".to_owned() } else { lower.replace("lower", "upper") };
+        assert_eq!(column([&lower, "air"]), [lower.clone(), above.clone()]);
+        assert_eq!(column([&lower, &above]), [lower, above]);
+    }
+}
+
+#[test]
+fn plants_in_water_keep_it_and_grow_in_it() {
+    const WATER: &str = "water[level=0]";
+    const LEAF: &str = "small_dripleaf[facing=north,half=lower,waterlogged=true]";
+    let wet = LEAF.replace("lower", "upper");
+    let dry = wet.replace("true", "false");
+    let cases = [
+        (["tall_seagrass[half=lower]", WATER], ["tall_seagrass[half=lower]", "tall_seagrass[half=upper]"]),
+        ([WATER, "tall_seagrass[half=upper]"], ["tall_seagrass[half=lower]", "tall_seagrass[half=upper]"]),
+        (["tall_seagrass[half=lower]", "air"], [WATER, "air"]),
+        (["sand", "tall_seagrass[half=upper]"], ["sand", WATER]),
+        ([LEAF, WATER], [LEAF, wet.as_str()]),
+        ([LEAF, "air"], [LEAF, dry.as_str()]),
+        ([LEAF, "stone"], [WATER, "stone"]),
+        (["tall_grass[half=lower]", WATER], ["air", WATER]),
+    ];
+    for (states, expected) in cases {
+        assert_eq!(column(states), expected, "{states:?}");
+    }
+}
