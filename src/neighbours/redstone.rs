@@ -37,24 +37,31 @@ fn carries_dust(site: &Site<'_>, cell: Cell) -> bool {
     is_trapdoor || block.sturdy.contains(Facing::Up) || site.state(cell).name() == "minecraft:hopper"
 }
 
-/// Full blocks that power does not go through.
-const INSULATORS: [&str; 9] = [
+/// Blocks that fill their cell, or nearly, and that power does not go through. Snow lies lower than it looks.
+const INSULATORS: [&str; 14] = [
     "glass",
     "glowstone",
     "sea_lantern",
     "beacon",
+    "ice",
+    "frosted_ice",
+    "tnt",
     "redstone_block",
     "observer",
     "piston",
     "sticky_piston",
-    "target",
+    "chorus_flower",
+    "powder_snow",
+    "snow",
 ];
 
+/// Power goes through blocks that are solid on all sides, which leaves and the like are not.
 fn conducts(site: &Site<'_>, cell: Cell) -> bool {
-    let name = site.state(cell).short_name();
+    let (name, block) = (site.state(cell).short_name(), site.block(cell));
     let insulates =
-        INSULATORS.contains(&name) || ["_glass", "_grate", "_leaves"].iter().any(|e| name.ends_with(e));
-    site.block(cell).shape == Shape::Full && !insulates
+        INSULATORS.contains(&name) || ["_glass", "_grate", "copper_bulb"].iter().any(|e| name.ends_with(e));
+    let is_solid = block.shape == Shape::Full && block.sturdy.contains(Facing::Up);
+    (is_solid && !insulates) || name == "barrier"
 }
 
 /// Blocks that give out power to all sides, by the end of their name.

@@ -91,11 +91,10 @@ impl<'g> Site<'g> {
         if any { 0..self.grid.size().y } else { 0..0 }
     }
 
-    /// The open blocks of these joints in one layer.
+    /// The open blocks of these joints in one layer. Takes as long as the layer is large, whatever the palette is.
     pub fn open_in(&self, y: i32, joints: &[Joint]) -> Vec<Cell> {
-        let open: Vec<bool> = self.blocks.iter().map(|block| block.is_open_of(joints)).collect();
         let layer = self.grid.cells().index_axis(ndarray::Axis(0), y as usize);
-        let found = layer.indexed_iter().filter(|(_, id)| open[usize::from(**id)]);
+        let found = layer.indexed_iter().filter(|(_, id)| self.blocks[usize::from(**id)].is_open_of(joints));
         found.map(|((z, x), _)| Cell::new(x as i32, y, z as i32)).collect()
     }
 

@@ -39,8 +39,11 @@ fn has_post(site: &Site<'_>, cell: Cell, [north, east, south, west]: [&str; 4]) 
     }
 }
 
-/// Things too small to be felt from below that still stand on a post.
+/// Things too small to be felt from below that still stand on a post: the game's tag `wall_post_override`.
 fn holds_post(name: &str) -> bool {
-    const ENDINGS: [&str; 4] = ["torch", "_sign", "_banner", "_pressure_plate"];
-    ENDINGS.iter().any(|ending| name.ends_with(ending)) || name == "tripwire" || name == "cactus_flower"
+    const NAMES: [&str; 6] =
+        ["torch", "soul_torch", "redstone_torch", "copper_torch", "tripwire", "cactus_flower"];
+    const ENDINGS: [&str; 3] = ["_sign", "_banner", "_pressure_plate"];
+    let ends = ENDINGS.iter().any(|ending| name.ends_with(ending)) && !name.ends_with("_hanging_sign");
+    NAMES.contains(&name) || ends
 }

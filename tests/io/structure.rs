@@ -73,14 +73,17 @@ fn blocks(grid: &Grid) -> Vec<String> {
     grid.bounds().cells().map(|cell| grid.get(cell).short()).collect()
 }
 
-/// The blocks with their cells shuffled and some left alone: what another palette could make of them.
+/// The blocks with their cells shuffled, but for those left alone: what another palette could make of them.
 fn variant(grid: &Grid, by: usize) -> Grid {
     let mut variant = Grid::new(grid.size());
     let states = grid.palette().states();
     for cell in grid.bounds().cells() {
-        let state = match (cell.x as usize + by) % 3 {
-            0 => state("structure_void"),
-            _ => states[(usize::from(grid.id(cell)) + by) % states.len()].clone(),
+        let other = &states[(usize::from(grid.id(cell)) + by) % states.len()];
+        let is_void = |state: &BlockState| *state == BlockState::structure_void();
+        let state = match (is_void(grid.get(cell)), is_void(other)) {
+            (true, _) => BlockState::structure_void(),
+            (false, true) => BlockState::air(),
+            (false, false) => other.clone(),
         };
         let id = variant.intern(&state).unwrap();
         variant.set(cell, id);
@@ -122,6 +125,29 @@ proptest! {
         plain[at] = byte;
         let _ = read(&plain);
     }
+}
+
+#[test]
+fn what_only_some_looks_leave_alone_is_air_in_them() {
+    let row = |names: [&str; 4]| {
+        let mut grid = Grid::new(Cell::new(4, 1, 1));
+        for (x, name) in (0..).zip(names) {
+            let id = grid.intern(&state(name)).unwrap();
+            grid.set(Cell::new(x, 0, 0), id);
+        }
+        grid
+    };
+    let mut grid = row(["stone", "structure_void", "structure_void", "structure_void"]);
+    grid.variants = vec![row(["structure_void", "dirt", "structure_void", "structure_void"])];
+    let chest = Compound::from([("id".to_owned(), string("minecraft:chest"))]);
+    grid.block_entities.insert([3, 0, 0], chest.clone());
+    grid.variants[0].block_entities.insert([3, 0, 0], chest);
+    let encoded = encode_structure(&grid).unwrap();
+    assert_eq!(encoded.lost, [Lost::LeftAlone(3)]);
+    let back = read_grid(&encoded.bytes);
+    assert_eq!(blocks(&back), ["stone", "air", "structure_void", "air"]);
+    assert_eq!(blocks(&back.variants[0]), ["air", "dirt", "structure_void", "air"]);
+    assert_eq!(back.block_entities, grid.block_entities);
 }
 
 #[test]

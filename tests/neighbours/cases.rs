@@ -66,3 +66,84 @@ fn every_rule_gives_what_the_game_gives() {
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
 }
+
+/// A grid of one layer above the other, each a row along x.
+fn rows(layers: [&[&str]; 2]) -> Grid {
+    let mut grid = Grid::new(Cell::new(layers[0].len() as i32, 2, 1));
+    for (y, row) in (0..).zip(layers) {
+        for (x, state) in (0..).zip(row) {
+            let id = grid.intern(&state.parse::<BlockState>().unwrap()).unwrap();
+            grid.set(Cell::new(x, y, 0), id);
+        }
+    }
+    settle(&mut grid).unwrap();
+    grid
+}
+
+#[test]
+fn dust_climbs_under_what_does_not_conduct() {
+    const CONDUCT: [&str; 13] = [
+        "stone",
+        "oak_planks",
+        "target",
+        "soul_sand",
+        "mud",
+        "redstone_lamp",
+        "slime_block",
+        "spawner",
+        "barrier",
+        "mangrove_roots",
+        "packed_ice",
+        "oak_slab[type=double]",
+        "shulker_box",
+    ];
+    const INSULATE: [&str; 19] = [
+        "air",
+        "glass",
+        "tinted_glass",
+        "red_stained_glass",
+        "glowstone",
+        "sea_lantern",
+        "ice",
+        "tnt",
+        "oxidized_copper_bulb",
+        "copper_grate",
+        "oak_leaves",
+        "oak_slab[type=top]",
+        "oak_stairs",
+        "observer",
+        "piston",
+        "redstone_block",
+        "honey_block",
+        "snow[layers=8]",
+        "powder_snow",
+    ];
+    let climbs = |above: &str| {
+        let grid = rows([&["redstone_wire", "stone"], &[above, "redstone_wire"]]);
+        grid.get(Cell::ZERO).get("east") == Some("up")
+    };
+    assert_eq!(CONDUCT.map(climbs), [false; 13], "{CONDUCT:?}");
+    assert_eq!(INSULATE.map(climbs), [true; 19], "{INSULATE:?}");
+}
+
+#[test]
+fn walls_have_posts_under_what_the_game_names() {
+    const ON_POSTS: [&str; 8] = [
+        "torch",
+        "soul_torch",
+        "redstone_torch",
+        "tripwire",
+        "oak_sign",
+        "oak_wall_sign",
+        "red_banner",
+        "stone_pressure_plate",
+    ];
+    const NOT: [&str; 6] =
+        ["air", "wall_torch", "soul_wall_torch", "oak_hanging_sign", "oak_wall_hanging_sign", "poppy"];
+    let has_post = |above: &str| {
+        let grid = rows([&["stone", "cobblestone_wall", "stone"], &["air", above, "air"]]);
+        grid.get(Cell::X).get("up") == Some("true")
+    };
+    assert_eq!(ON_POSTS.map(has_post), [true; 8], "{ON_POSTS:?}");
+    assert_eq!(NOT.map(has_post), [false; 6], "{NOT:?}");
+}

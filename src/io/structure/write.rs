@@ -1,5 +1,6 @@
 use super::entities;
 use super::joint::Joint;
+use crate::block::BlockState;
 use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::{DEFAULT_DATA_VERSION, Encoded, Lost, WriteError, gzip, states};
@@ -16,25 +17,26 @@ pub fn encode_structure(grid: &Grid) -> Result<Encoded, WriteError> {
     if grid.bounds().is_empty() {
         return Err(WriteError::Empty(Size(grid.size())));
     }
-    let looks: Vec<&Grid> = std::iter::once(grid).chain(same_size(grid)).collect();
-    let joint = Joint::of(&looks);
+    let others: Vec<&Grid> = same_size(grid).collect();
+    let joint = Joint::of(grid, &others);
     let used = used(grid, &joint);
     let indices: FxHashMap<u32, i32> = used.iter().copied().zip(0..).collect();
-    let palettes = (0..looks.len())
-        .map(|look| Tag::List(used.iter().map(|&number| states::write(joint.state(number, look))).collect()));
+    let palettes = (0..joint.looks()).map(|look| {
+        Tag::List(used.iter().map(|&number| states::write(&placed(&joint, number, look))).collect())
+    });
     let mut root = root(grid);
     root.insert("blocks".to_owned(), Tag::List(Vec::new()));
     root.extend(palette_tag(palettes.collect()));
     let blocks = Blocks { grid, joint: &joint, indices };
     let bytes = gzip::pack(|out| nbt::write_to(out, Endian::Big, "", &root, &blocks))?;
-    Ok(Encoded { bytes, lost: lost(grid) })
+    Ok(Encoded { bytes, lost: lost(grid, &joint) })
 }
 
 /// The list of the blocks, which is made as it is written: each is a compound of its own.
 struct Blocks<'a> {
     grid: &'a Grid,
-    joint: &'a Joint,
-    /// Those in the file's palettes, by the numbers of combinations.
+    joint: &'a Joint<'a>,
+    /// Those in the file's palettes, by their numbers.
     indices: FxHashMap<u32, i32>,
 }
 
@@ -59,7 +61,7 @@ fn same_size(grid: &Grid) -> impl Iterator<Item = &Grid> {
     grid.variants.iter().filter(|variant| variant.size() == grid.size())
 }
 
-fn lost(grid: &Grid) -> Vec<Lost> {
+fn lost(grid: &Grid, joint: &Joint) -> Vec<Lost> {
     let other_size = grid.variants.len() - same_size(grid).count();
     // A file has data once for all looks.
     let own_data = |variant: &Grid| {
@@ -69,6 +71,7 @@ fn lost(grid: &Grid) -> Vec<Lost> {
     let own_data: usize = same_size(grid).map(own_data).sum();
     let lost = [
         (own_data > 0).then_some(Lost::BlockEntities(own_data)),
+        left_alone(grid, joint),
         Lost::biomes(grid),
         Lost::offset(grid),
         Lost::metadata_but(grid, author(grid).map_or(&[], |_| &["Author"])),
@@ -79,6 +82,19 @@ fn lost(grid: &Grid) -> Vec<Lost> {
     lost.into_iter().flatten().collect()
 }
 
+/// A file leaves the world alone where it has no block, in all looks alike. A written `structure_void` is a block.
+fn left_alone(grid: &Grid, joint: &Joint) -> Option<Lost> {
+    let left_alone = joint.left_alone();
+    let count = written(grid, joint).filter(|(_, number)| left_alone[*number as usize] > 0).count();
+    (count > 0).then_some(Lost::LeftAlone(count))
+}
+
+/// The state that is written for `number` in the look `look`.
+fn placed(joint: &Joint, number: u32, look: usize) -> BlockState {
+    let state = joint.state(number, look);
+    if *state == states::leave_alone() { BlockState::air() } else { state.clone() }
+}
+
 fn author(grid: &Grid) -> Option<&String> {
     match grid.metadata.tags.get("Author") {
         Some(Tag::String(author)) => Some(author),
@@ -86,17 +102,17 @@ fn author(grid: &Grid) -> Option<&String> {
     }
 }
 
-/// The cells that are written, with the combinations that they hold.
+/// The cells that are written, with their numbers.
 fn written<'a>(grid: &'a Grid, joint: &'a Joint) -> impl Iterator<Item = (Cell, u32)> + 'a {
     let left_alone = joint.left_alone();
     let size = Size(grid.size());
-    let cells = joint.cells.iter().enumerate().map(move |(at, &number)| (size.cell(at), number));
+    let cells = joint.numbers().enumerate().map(move |(at, number)| (size.cell(at), number));
     cells.filter(move |(place, number)| {
-        !left_alone[*number as usize] || grid.block_entities.contains_key(&place.to_array())
+        left_alone[*number as usize] < joint.looks() || grid.block_entities.contains_key(&place.to_array())
     })
 }
 
-/// The combinations that are written, in order of first use.
+/// The numbers that are written, in order of first use.
 fn used(grid: &Grid, joint: &Joint) -> Vec<u32> {
     let mut seen = FxHashSet::default();
     written(grid, joint).map(|(_, number)| number).filter(|&number| seen.insert(number)).collect()
