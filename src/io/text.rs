@@ -33,18 +33,44 @@ pub(super) fn plain_lines(text: &str) -> [String; 4] {
     [(); 4].map(|()| quoted(lines.next().unwrap_or_default()))
 }
 
+/// One side of a sign.
+pub(super) struct Side {
+    /// Each in JSON.
+    pub lines: [String; 4],
+    /// The dye of the text.
+    pub color: &'static str,
+    pub glows: bool,
+}
+
+impl Default for Side {
+    fn default() -> Side {
+        Side::plain(plain_lines(""))
+    }
+}
+
+impl Side {
+    fn plain(lines: [String; 4]) -> Side {
+        Side { lines, color: "black", glows: false }
+    }
+}
+
 /// Writes a sign of the given lines, each in JSON.
 pub(super) fn set_sign(data: &mut Compound, front: [String; 4], back: [String; 4]) {
-    data.insert("front_text".to_owned(), side(front));
-    data.insert("back_text".to_owned(), side(back));
+    set_sides(data, Side::plain(front), Side::plain(back));
     data.insert("is_waxed".to_owned(), Tag::Byte(0));
 }
 
-fn side(lines: [String; 4]) -> Tag {
+/// Writes what stands on both sides of a sign.
+pub(super) fn set_sides(data: &mut Compound, front: Side, back: Side) {
+    data.insert("front_text".to_owned(), side(front));
+    data.insert("back_text".to_owned(), side(back));
+}
+
+fn side(side: Side) -> Tag {
     let tags = [
-        ("messages", Tag::List(lines.map(Tag::String).to_vec())),
-        ("color", Tag::String("black".to_owned())),
-        ("has_glowing_text", Tag::Byte(0)),
+        ("messages", Tag::List(side.lines.map(Tag::String).to_vec())),
+        ("color", Tag::String(side.color.to_owned())),
+        ("has_glowing_text", Tag::Byte(i8::from(side.glows))),
     ];
     Tag::Compound(tags.map(|(name, tag)| (name.to_owned(), tag)).into())
 }

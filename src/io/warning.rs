@@ -37,6 +37,12 @@ pub enum Warning {
     BedrockData(usize),
     #[error("{0} blocks that cannot stand in water have lost theirs")]
     WaterDropped(usize),
+    #[error("{0} blocks share their cell with another, which Java Edition has no place for: it is left out")]
+    SecondLayer(usize),
+    #[error("{0} ticks that blocks wait for are left out")]
+    TicksDropped(usize),
+    #[error("the tags {0} are unknown and are left out")]
+    TagsDropped(String),
     #[error("Version is {found}, and vox knows those up to {known}: what is new is not understood")]
     NewVersion { found: i32, known: i32 },
     #[error("the block states are those of Minecraft 1.12 and are kept as they stand")]

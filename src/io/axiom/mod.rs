@@ -43,7 +43,8 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     let mut grid = fill(&sections, bounds, palette, nothing);
     let outside = block_entities(&blocks, &mut grid, bounds.min)?;
     grid.metadata = metadata(&header, &blocks, parts.picture, bounds.min)?;
-    Ok((grid, outside.into_iter().collect()))
+    let trailing = (parts.trailing > 0).then_some(Warning::Trailing(parts.trailing));
+    Ok((grid, outside.into_iter().chain(trailing).collect()))
 }
 
 /// A section takes few bytes in a file and all its cells in memory.

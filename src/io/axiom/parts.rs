@@ -2,12 +2,15 @@
 
 use crate::io::{Limits, ReadError, gzip};
 use crate::nbt::{self, Compound, Endian};
+use std::io;
 
 pub(super) struct Parts<'a> {
     pub header: Compound,
     /// A PNG, which nobody looks into here.
     pub picture: &'a [u8],
     pub blocks: Compound,
+    /// The bytes after the end of the blocks, and after that of their part.
+    pub trailing: u64,
 }
 
 const MAGIC: usize = 4;
@@ -18,10 +21,12 @@ impl<'a> Parts<'a> {
         let mut rest = &bytes[MAGIC.min(bytes.len())..];
         let header = part(&mut rest, "header")?;
         let picture = part(&mut rest, "picture")?;
-        let blocks = gzip::open(part(&mut rest, "blocks")?, limits.max_bytes)?;
+        let mut blocks = gzip::open(part(&mut rest, "blocks")?, limits.max_bytes)?;
         let (_, header) = nbt::read(header, &limits.nbt())?;
-        let (_, blocks, _) = nbt::read_from(blocks, Endian::Big, &limits.nbt(), &mut ())?;
-        Ok(Parts { header, picture, blocks })
+        let (_, root, _) = nbt::read_from(&mut blocks, Endian::Big, &limits.nbt(), &mut ())?;
+        // To the very end, where gzip keeps its checksum.
+        let trailing = io::copy(&mut blocks, &mut io::sink())? + rest.len() as u64;
+        Ok(Parts { header, picture, blocks: root, trailing })
     }
 }
 

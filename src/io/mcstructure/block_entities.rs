@@ -20,23 +20,31 @@ const IDS: [(&str, &str); 5] = [
 /// Bedrock Edition's own tags of every block entity.
 const PLACE: [&str; 4] = ["x", "y", "z", "isMovable"];
 
-/// Puts the block entities into `grid`. How many lie outside, and how many stay in Bedrock's form.
-pub(super) fn read(default: &Fields, grid: &mut Grid) -> Result<(usize, usize), ReadError> {
-    let (mut outside, mut foreign) = (0, 0);
-    let Some(places) = default.inner("block_position_data")? else { return Ok((0, 0)) };
+/// What of the data of places does not come into the grid as it is.
+#[derive(Default)]
+pub(super) struct Found {
+    /// Block entities outside of the structure.
+    pub outside: usize,
+    /// Block entities that stay in Bedrock's form.
+    pub foreign: usize,
+    /// Ticks that blocks wait for.
+    pub ticks: usize,
+}
+
+/// Puts the block entities into `grid`.
+pub(super) fn read(default: &Fields, grid: &mut Grid) -> Result<Found, ReadError> {
+    let mut found = Found::default();
+    let Some(places) = default.inner("block_position_data")? else { return Ok(found) };
     for key in places.tags.keys() {
-        let Some(fields) =
-            places.inner(key)?.map(|data| data.inner("block_entity_data")).transpose()?.flatten()
-        else {
-            continue;
-        };
-        let Some(place) = key.parse().ok().and_then(|index| cell_at(index, grid.size())) else {
-            outside += 1;
-            continue;
-        };
-        foreign += usize::from(put(grid, place, &fields)?);
+        let Some(data) = places.inner(key)? else { continue };
+        found.ticks += data.list("tick_queue_data")?.len();
+        let Some(fields) = data.inner("block_entity_data")? else { continue };
+        match key.parse().ok().and_then(|index| cell_at(index, grid.size())) {
+            Some(place) => found.foreign += usize::from(put(grid, place, &fields)?),
+            None => found.outside += 1,
+        }
     }
-    Ok((outside, foreign))
+    Ok(found)
 }
 
 /// The place of the cell `index` in the order of the file: z fastest, then y, then x.
@@ -147,17 +155,58 @@ fn facing_box(state: &BlockState, facing: usize) -> BlockState {
     }
 }
 
-/// Since Bedrock 1.20 each side has a compound of its own.
+/// Since Bedrock 1.20 each side has a compound of its own; before there is one side, in the sign itself.
 fn sign(data: &mut Compound) {
     let side = |name: &str| match data.get(name) {
-        Some(Tag::Compound(side)) => string(side, "Text"),
+        Some(Tag::Compound(side)) => Some(side),
         _ => None,
     };
-    let front = side("FrontText").or_else(|| string(data, "Text")).unwrap_or_default();
-    let back = side("BackText").unwrap_or_default();
+    let front = written(side("FrontText").unwrap_or(data));
+    let back = side("BackText").map(written).unwrap_or_default();
+    let waxed = matches!(data.get("IsWaxed"), Some(Tag::Byte(1..)));
     data.clear();
-    text::set_sign(data, text::plain_lines(&front), text::plain_lines(&back));
+    text::set_sides(data, front, back);
+    data.insert("is_waxed".to_owned(), Tag::Byte(i8::from(waxed)));
 }
+
+/// What stands on one side of a sign.
+fn written(side: &Compound) -> text::Side {
+    text::Side {
+        lines: text::plain_lines(&string(side, "Text").unwrap_or_default()),
+        color: color(side).unwrap_or("black"),
+        glows: matches!(side.get("IgnoreLighting"), Some(Tag::Byte(1..))),
+    }
+}
+
+/// The dye that the game's colour of a text, as 0xAARRGGBB, is nearest to.
+fn color(side: &Compound) -> Option<&'static str> {
+    let Some(Tag::Int(argb)) = side.get("SignTextColor") else { return None };
+    let channels = |rgb: i32| [16, 8, 0].map(|shift| (rgb >> shift) & 0xff);
+    let apart = |rgb: i32| -> i32 {
+        channels(rgb).iter().zip(channels(*argb)).map(|(own, other)| (own - other).pow(2)).sum()
+    };
+    TEXT_COLORS.iter().min_by_key(|(_, rgb)| apart(*rgb)).map(|(name, _)| *name)
+}
+
+/// The colours of texts on signs, by the dye they are made with.
+const TEXT_COLORS: [(&str, i32); 16] = [
+    ("black", 0x00_00_00),
+    ("white", 0xf0_f0_f0),
+    ("orange", 0xf9_80_1d),
+    ("magenta", 0xc7_4e_bd),
+    ("light_blue", 0x3a_b3_da),
+    ("yellow", 0xfe_d8_3d),
+    ("lime", 0x80_c7_1f),
+    ("pink", 0xf3_8b_aa),
+    ("gray", 0x47_4f_52),
+    ("light_gray", 0x9d_9d_97),
+    ("cyan", 0x16_9c_9c),
+    ("purple", 0x89_32_b8),
+    ("blue", 0x3c_44_aa),
+    ("brown", 0x83_54_32),
+    ("green", 0x5e_7c_16),
+    ("red", 0xb0_2e_26),
+];
 
 fn string(data: &Compound, name: &str) -> Option<String> {
     match data.get(name) {

@@ -1,7 +1,7 @@
 //! The two layers of blocks, as one.
 
 use super::palette::Entry;
-use crate::block::{BlockState, Palette, known};
+use crate::block::{BlockState, Palette, is_always_in_water, is_water, takes_water};
 use crate::io::fields::{Fields, FromTag};
 use crate::io::{Limits, ReadError, Warning, states, volume};
 use crate::nbt::Tag;
@@ -115,18 +115,29 @@ impl Mix<'_> {
     }
 
     fn is_water(&self, index: usize) -> bool {
-        self.entries[index].state.short_name() == "water"
+        is_water(&self.entries[index].state)
     }
 
     fn warnings(&self) -> Vec<Warning> {
-        let dropped = self.known.iter().filter(|((block, over), _)| {
-            let state = block.map(|block| &self.entries[block].state);
-            let dry = state.is_some_and(|state| !state.is_air() && !holds_water(state));
-            dry && over.is_some_and(|over| self.is_water(over))
-        });
-        let dropped: usize = dropped.map(|(_, (_, count))| count).sum();
-        let water = (dropped > 0).then_some(Warning::WaterDropped(dropped));
-        water.into_iter().chain(self.unknown()).collect()
+        let (water, other) = self.dropped();
+        let water = (water > 0).then_some(Warning::WaterDropped(water));
+        let other = (other > 0).then_some(Warning::SecondLayer(other));
+        water.into_iter().chain(other).chain(self.unknown()).collect()
+    }
+
+    /// How many blocks of the second layer are left out: water, and others.
+    fn dropped(&self) -> (usize, usize) {
+        let (mut water, mut other) = (0, 0);
+        for ((block, over), (_, count)) in &self.known {
+            let Some(over) = over.filter(|over| !self.entries[*over].state.is_air()) else { continue };
+            let under = block.map(|block| &self.entries[block].state);
+            match self.is_water(over) {
+                true if under.is_some_and(|state| state.is_air() || holds_water(state)) => {}
+                true => water += count,
+                false => other += count,
+            }
+        }
+        (water, other)
     }
 
     fn unknown(&self) -> Option<Warning> {
@@ -143,12 +154,7 @@ impl Mix<'_> {
     }
 }
 
-fn takes_water(state: &BlockState) -> bool {
-    known(state.name()).is_some_and(|known| known.property("waterlogged").is_some())
-}
-
-/// Whether the block is in water without a property that says so.
+/// Whether the block is in water, or can be.
 fn holds_water(state: &BlockState) -> bool {
-    const ALWAYS: [&str; 6] = ["water", "seagrass", "tall_seagrass", "kelp", "kelp_plant", "bubble_column"];
-    takes_water(state) || ALWAYS.contains(&state.short_name())
+    takes_water(state) || is_water(state) || is_always_in_water(state)
 }

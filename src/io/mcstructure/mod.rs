@@ -26,17 +26,19 @@ use crate::space::Cell;
 const KNOWN: [&str; 3] = ["format_version", "size", "structure"];
 
 pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
-    let (_, root) = nbt::read_as(Endian::Little, plain, &limits.nbt())?;
+    let mut rest = plain;
+    let (_, root, _) = nbt::read_from(&mut rest, Endian::Little, &limits.nbt(), &mut ())?;
     let root = Fields::new("", &root);
     check_version(&root)?;
     let size = size(&root)?;
     let structure = required(&root, "structure")?;
-    let default = required(&required(&structure, "palette")?, "default")?;
+    let palettes = required(&structure, "palette")?;
+    let default = required(&palettes, "default")?;
 
     let palette = palette::read(&default)?;
     let (cells, mut warnings) = blocks::read(&structure, size, &palette, limits)?;
     let mut grid = volume::grid(size, cells.numbers, cells.palette);
-    let (outside, mut foreign) = block_entities::read(&default, &mut grid)?;
+    let block_entities::Found { outside, mut foreign, ticks } = block_entities::read(&default, &mut grid)?;
     neighbours::settle(&mut grid).map_err(volume::full(default.path("block_palette")))?;
     grid.metadata = metadata(&root);
     let found = entities(&root, &structure)?;
@@ -45,7 +47,25 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     foreign += grid.metadata.entities.len();
     warnings.extend((outside > 0).then_some(Warning::BlockEntitiesOutside(outside)));
     warnings.extend((foreign > 0).then_some(Warning::BedrockData(foreign)));
+    warnings.extend((ticks > 0).then_some(Warning::TicksDropped(ticks)));
+    warnings.extend(unknown(&structure, &palettes, &default));
+    warnings.extend((!rest.is_empty()).then_some(Warning::Trailing(rest.len() as u64)));
     Ok((grid, warnings))
+}
+
+/// The tags within the structure that nothing is known of.
+fn unknown(structure: &Fields, palettes: &Fields, default: &Fields) -> Option<Warning> {
+    let known: [(&Fields, &[&str]); 3] = [
+        (structure, &["block_indices", "entities", "palette"]),
+        (palettes, &["default"]),
+        (default, &["block_palette", "block_position_data"]),
+    ];
+    let unknown = known.iter().flat_map(|(fields, known)| {
+        let names = fields.tags.keys().filter(|name| !known.contains(&name.as_str()));
+        names.map(|name| fields.path(name))
+    });
+    let unknown: Vec<String> = unknown.collect();
+    (!unknown.is_empty()).then(|| Warning::TagsDropped(unknown.join(", ")))
 }
 
 fn check_version(root: &Fields) -> Result<(), ReadError> {
