@@ -1,10 +1,10 @@
 //! Real files: the houses and builds beside the repository.
 
 use super::real::folder;
+use super::round_trip::complete;
 use super::{read, read_grid};
 use std::path::{Path, PathBuf};
-use vox::block::complete;
-use vox::grid::Grid;
+
 use vox::io::{Content, SchemVersion, encode_schem};
 
 fn schematics(folder: &Path) -> Vec<PathBuf> {
@@ -15,13 +15,6 @@ fn schematics(folder: &Path) -> Vec<PathBuf> {
 
 /// The one that holds no block although its size is 1 x 1 x 1.
 const WITHOUT_BLOCKS: &str = "fawe_sponge1.schem";
-
-/// What is written has all properties.
-fn completed(grid: &Grid) -> Grid {
-    let mut completed = grid.clone();
-    completed.map_states(complete).unwrap();
-    completed
-}
 
 #[test]
 fn every_schematic_is_read_and_written_back() {
@@ -38,7 +31,7 @@ fn every_schematic_is_read_and_written_back() {
         let Content::Grid(grid) = decoded.content else { panic!("{}: no grid", path.display()) };
         for version in [SchemVersion::V2, SchemVersion::V3] {
             let back = read_grid(&encode_schem(&grid, version).unwrap().bytes);
-            assert!(back.same_blocks(&completed(&grid)), "{}", path.display());
+            assert!(back.same_blocks(&complete(grid.clone())), "{}", path.display());
             assert_eq!(back.block_entities, grid.block_entities, "{}", path.display());
             assert_eq!(back.metadata.offset, grid.metadata.offset, "{}", path.display());
             assert_eq!(back.metadata.tags, grid.metadata.tags, "{}", path.display());

@@ -1,11 +1,11 @@
 //! Litematica schematics.
 
 use super::real::folder;
-use super::round_trip::{grid, near, varied};
+use super::round_trip::{complete, grid, near, varied};
 use super::{read, read_grid, tags};
 use proptest::collection::{btree_set, vec};
 use proptest::prelude::*;
-use vox::block::{self, BlockState};
+use vox::block::BlockState;
 use vox::grid::{BiomeMap, Biomes, Dialect, Entity, Grid, Metadata, Own, Region};
 use vox::io::{
     Content, Limits, LitematicVersion, Lost, Options, Warning, WriteError, decode, decode_with,
@@ -22,12 +22,6 @@ fn write(grid: &Grid) -> Vec<u8> {
 
 fn state(text: &str) -> BlockState {
     text.parse().unwrap()
-}
-
-/// As it is written: with all properties.
-fn complete(mut grid: Grid) -> Grid {
-    grid.map_states(block::complete).unwrap();
-    grid
 }
 
 fn string(text: &str) -> Tag {

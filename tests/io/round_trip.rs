@@ -2,7 +2,7 @@ use super::{read, read_grid, tags};
 use ndarray::{Array2, Array3};
 use proptest::collection::{btree_map, vec};
 use proptest::prelude::*;
-use vox::block::{BlockState, Palette, complete};
+use vox::block::{self, BlockState, Palette, complete_in};
 use vox::grid::{BiomeMap, Biomes, Dialect, Entity, Grid, Metadata, Own};
 use vox::io::{DEFAULT_DATA_VERSION, Limits, Lost, SchemVersion, WriteError, decode, encode_schem};
 use vox::nbt::Tag;
@@ -18,7 +18,7 @@ pub fn states(count: usize) -> Palette {
     let mut palette = Palette::default();
     for n in 1..count {
         let state = BlockState::new("note_block").unwrap().with("note", &n.to_string());
-        palette.intern(&complete(&state)).unwrap();
+        palette.intern(&block::complete(&state)).unwrap();
     }
     palette
 }
@@ -69,6 +69,13 @@ pub fn grid() -> impl Strategy<Value = Grid> {
         grid.metadata = metadata;
         grid
     })
+}
+
+/// The grid as it is written: with all properties that its version has.
+pub fn complete(mut grid: Grid) -> Grid {
+    let version = grid.metadata.version();
+    grid.map_states(|state| complete_in(state, version)).unwrap();
+    grid
 }
 
 /// Sums of coordinates round, so places are compared up to that.

@@ -1,7 +1,7 @@
 //! Structures of the game.
 
 use super::real::folder;
-use super::round_trip::{grid, near, varied};
+use super::round_trip::{complete, grid, near, varied};
 use super::{read, read_grid, tags};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -19,11 +19,6 @@ fn write(grid: &Grid) -> Vec<u8> {
 
 fn state(text: &str) -> BlockState {
     text.parse().unwrap()
-}
-
-fn complete(mut grid: Grid) -> Grid {
-    grid.map_states(block::complete).unwrap();
-    grid
 }
 
 fn string(text: &str) -> Tag {
