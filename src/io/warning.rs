@@ -35,7 +35,7 @@ pub enum Warning {
         "{0} block entities and entities are kept in the form of Bedrock Edition, which Java Edition drops"
     )]
     BedrockData(usize),
-    #[error("{0} blocks that cannot stand in water have lost theirs")]
+    #[error("the water of {0} blocks that cannot stand in it, or are not there, is left out")]
     WaterDropped(usize),
     #[error("{0} blocks share their cell with another, which Java Edition has no place for: it is left out")]
     SecondLayer(usize),

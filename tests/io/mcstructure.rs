@@ -143,6 +143,35 @@ fn signs_keep_their_words() {
 }
 
 #[test]
+fn signs_keep_their_colour_glow_and_wax() {
+    let red = 0xff_b0_2e_26_u32.cast_signed();
+    let front = [("Text", text("Inn")), ("SignTextColor", Tag::Int(red)), ("IgnoreLighting", Tag::Byte(1))];
+    let data = tags([("id", text("Sign")), ("FrontText", compound(front)), ("IsWaxed", Tag::Byte(1))]);
+    let sign = block("minecraft:standing_sign", [("ground_sign_direction", Tag::Int(0))]);
+    let data = read_grid(&Structure::with_entity(sign, data).file()).block_entities[&[0; 3]].clone();
+    let side = |name: &str| match &data[name] {
+        Tag::Compound(side) => (side["color"].clone(), side["has_glowing_text"].clone()),
+        _ => panic!("{data:?}"),
+    };
+    assert_eq!(side("front_text"), (text("red"), Tag::Byte(1)));
+    assert_eq!(side("back_text"), (text("black"), Tag::Byte(0)));
+    assert_eq!(data["is_waxed"], Tag::Byte(1));
+}
+
+#[test]
+fn what_is_left_out_is_told() {
+    let palette = ["minecraft:stone", "minecraft:snow_layer", "minecraft:water"].map(|name| block(name, []));
+    let mut structure = Structure::of([3, 1, 1], [&[0, -1, 0], &[1, 2, -1]], palette.to_vec());
+    let ticks = Tag::List(vec![compound([]), compound([])]);
+    structure.data = tags([("0", compound([("tick_queue_data", ticks)]))]);
+    let mut bytes = structure.file();
+    bytes.extend([0; 7]);
+    let expected =
+        [Warning::WaterDropped(1), Warning::SecondLayer(1), Warning::TicksDropped(2), Warning::Trailing(7)];
+    assert_eq!(read(&bytes).unwrap().warnings, expected);
+}
+
+#[test]
 fn entities_count_from_the_low_corner() {
     let mut structure = Structure::of([1, 1, 1], [&[0], &[-1]], vec![block("minecraft:air", [])]);
     let place = Tag::List([100.5, 65.0, -6.5].map(Tag::Float).to_vec());
