@@ -59,7 +59,7 @@ fn water_of_the_second_layer() {
     let fence = |wet| format!("oak_fence[east=false,north=false,south=false,waterlogged={wet},west=false]");
     let expected = [&fence(true), "water[level=0]", "dirt", "structure_void", &fence(false)];
     assert_eq!(states(&bytes), expected);
-    assert_eq!(read(&bytes).unwrap().warnings, [Warning::WaterDropped(1)]);
+    assert_eq!(read(&bytes).unwrap().warnings, [Warning::WaterDropped(2)]);
 }
 
 #[test]
