@@ -190,22 +190,22 @@ fn color(side: &Compound) -> Option<&'static str> {
 
 /// The colours of texts on signs, by the dye they are made with.
 const TEXT_COLORS: [(&str, i32); 16] = [
-    ("black", 0x00_00_00),
-    ("white", 0xf0_f0_f0),
-    ("orange", 0xf9_80_1d),
-    ("magenta", 0xc7_4e_bd),
-    ("light_blue", 0x3a_b3_da),
-    ("yellow", 0xfe_d8_3d),
-    ("lime", 0x80_c7_1f),
-    ("pink", 0xf3_8b_aa),
-    ("gray", 0x47_4f_52),
-    ("light_gray", 0x9d_9d_97),
-    ("cyan", 0x16_9c_9c),
-    ("purple", 0x89_32_b8),
-    ("blue", 0x3c_44_aa),
-    ("brown", 0x83_54_32),
-    ("green", 0x5e_7c_16),
-    ("red", 0xb0_2e_26),
+    ("black", 0x000000),
+    ("white", 0xf0f0f0),
+    ("orange", 0xf9801d),
+    ("magenta", 0xc74ebd),
+    ("light_blue", 0x3ab3da),
+    ("yellow", 0xfed83d),
+    ("lime", 0x80c71f),
+    ("pink", 0xf38baa),
+    ("gray", 0x474f52),
+    ("light_gray", 0x9d9d97),
+    ("cyan", 0x169c9c),
+    ("purple", 0x8932b8),
+    ("blue", 0x3c44aa),
+    ("brown", 0x835432),
+    ("green", 0x5e7c16),
+    ("red", 0xb02e26),
 ];
 
 fn string(data: &Compound, name: &str) -> Option<String> {
