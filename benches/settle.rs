@@ -26,7 +26,7 @@ fn high(c: &mut Criterion) {
     for states in STATES {
         let grid = column(states);
         group.bench_with_input(BenchmarkId::from_parameter(states), &grid, |b, grid| {
-            b.iter_batched_ref(|| grid.clone(), |grid| settle(grid), BatchSize::PerIteration);
+            b.iter_batched_ref(|| grid.clone(), settle, BatchSize::PerIteration);
         });
     }
     group.finish();
