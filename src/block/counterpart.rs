@@ -1,27 +1,7 @@
 use super::family::materials;
-use super::{BlockState, Family, all, known};
+use super::{BlockState, DYES, Family, all, known};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
-
-/// Colours are materials as well: wool, carpets, beds and glass come in them.
-const COLORS: [&str; 16] = [
-    "white",
-    "orange",
-    "magenta",
-    "light_blue",
-    "yellow",
-    "lime",
-    "pink",
-    "gray",
-    "light_gray",
-    "cyan",
-    "purple",
-    "blue",
-    "brown",
-    "green",
-    "red",
-    "black",
-];
 
 /// What the same part is called where it is of another material.
 const OTHER_NAMES: [[&str; 2]; 4] =
@@ -59,7 +39,8 @@ fn all_materials() -> &'static BTreeSet<&'static str> {
     ALL.get_or_init(|| {
         let named = all().iter().flat_map(|known| materials(known.name()));
         let is_material = |name: &&str| Family::of_material(name).is_some_and(|f| f.members().count() > 1);
-        named.filter(is_material).chain(COLORS).collect()
+        // Colours are materials as well: wool, carpets, beds and glass come in them.
+        named.filter(is_material).chain(DYES).collect()
     })
 }
 

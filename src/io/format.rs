@@ -1,7 +1,7 @@
 use crate::nbt::{Compound, Tag};
 use std::fmt;
 
-/// What a file is. Most of these can only be named so far, not read.
+/// What a file is. Some of these are only named, so that an error can say what was found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Format {
     Schem,

@@ -50,13 +50,3 @@ impl Complete {
         Complete { states: complete.states().to_vec(), numbers }
     }
 }
-
-/// What a cell holds that says to leave the world as it is.
-pub(super) fn leave_alone() -> BlockState {
-    BlockState::new("structure_void").expect("a legal name")
-}
-
-/// Whether there is nothing in a cell of this state.
-pub(super) fn is_nothing(state: &BlockState) -> bool {
-    ["air", "cave_air", "void_air", "structure_void"].contains(&state.short_name())
-}

@@ -15,7 +15,7 @@ mod parts;
 mod section;
 
 use super::fields::Fields;
-use super::{Limits, ReadError, Warning, states, volume};
+use super::{Limits, ReadError, Warning, volume};
 use crate::block::{BlockState, Palette};
 use crate::grid::{Dialect, Grid, Metadata, Own};
 use crate::io::error::Size;
@@ -30,7 +30,7 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     let blocks = Fields::new("blocks", &parts.blocks);
 
     let mut palette = Palette::default();
-    let nothing = palette.intern(&states::leave_alone()).map_err(volume::full("BlockRegion"))?;
+    let nothing = palette.intern(&BlockState::structure_void()).map_err(volume::full("BlockRegion"))?;
     let empty = empty_state(&header)?;
     blocks.get::<&[Tag]>("BlockRegion")?;
     let regions = blocks.list("BlockRegion")?;

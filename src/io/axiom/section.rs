@@ -27,7 +27,8 @@ impl Section {
         let path = region.path("BlockStates");
         let blocks = Fields::new(path, region.get::<&Compound>("BlockStates")?);
         let own = states::read_palette(&blocks.path("palette"), blocks.get("palette")?)?;
-        let understood = |state: BlockState| if state == *empty { states::leave_alone() } else { state };
+        let understood =
+            |state: BlockState| if state == *empty { BlockState::structure_void() } else { state };
         let ids = own.into_iter().map(|state| palette.intern(&understood(state)));
         let ids = ids.collect::<Result<Vec<u16>, _>>().map_err(volume::full(blocks.path("palette")))?;
         let indices = indices(&blocks, ids.len())?;

@@ -10,7 +10,6 @@
 //! knows would be pasted as air, a pit around every house. That the last two ask for more, a warning tells.
 
 use crate::block::BlockState;
-use crate::io::states;
 
 const NOTHING: &str = "structurize:blocksubstitution";
 const GROUND: [&str; 2] = ["structurize:blocksolidsubstitution", "structurize:blockfluidsubstitution"];
@@ -21,5 +20,5 @@ pub(super) fn is_ground(state: &BlockState) -> bool {
 
 /// A state of the file in the terms of a grid.
 pub(super) fn understood(state: BlockState) -> BlockState {
-    if state.name() == NOTHING || is_ground(&state) { states::leave_alone() } else { state }
+    if state.name() == NOTHING || is_ground(&state) { BlockState::structure_void() } else { state }
 }

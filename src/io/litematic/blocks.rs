@@ -1,6 +1,7 @@
 //! The blocks of a region as a file holds them.
 
 use super::bits;
+use crate::block::BlockState;
 use crate::io::states::{self, Complete};
 use crate::nbt::Tag;
 use ndarray::ArrayView3;
@@ -18,7 +19,7 @@ pub(super) fn encode(cells: &ArrayView3<u16>, complete: &Complete) -> Blocks {
     let cells = cells.as_standard_layout();
     let cells = cells.as_slice().expect("the standard layout is contiguous");
     let (index, used) = number(cells, complete);
-    let nothing: Vec<bool> = complete.states.iter().map(states::is_nothing).collect();
+    let nothing: Vec<bool> = complete.states.iter().map(BlockState::is_nothing).collect();
     let is_something: Vec<bool> = complete.numbers.iter().map(|&n| !nothing[usize::from(n)]).collect();
     let indices: Vec<u16> = cells.iter().map(|&id| index[usize::from(id)]).collect();
     Blocks {

@@ -5,7 +5,7 @@
 use super::region::Part;
 use crate::block::{BlockState, Palette};
 use crate::grid::Grid;
-use crate::io::{ReadError, Warning, states};
+use crate::io::{ReadError, Warning};
 use crate::space::Bounds;
 use ndarray::{Array3, Zip, s};
 
@@ -38,7 +38,7 @@ fn merged(
     all: Bounds,
     palette: &mut Palette,
 ) -> Result<(Array3<u16>, Vec<Warning>), ReadError> {
-    let nobodys = palette.intern(&states::leave_alone()).expect("the palette was empty");
+    let nobodys = palette.intern(&BlockState::structure_void()).expect("the palette was empty");
     let [x, y, z] = all.size().to_array().map(|n| n as usize);
     let mut merged = Array3::from_elem((y, z, x), nobodys);
     let (mut warnings, mut nothing) = (Vec::new(), Vec::new());

@@ -1,7 +1,8 @@
 //! The regions that a grid is written as.
 
+use crate::block::BlockState;
 use crate::grid::Grid;
-use crate::io::{Lost, states};
+use crate::io::Lost;
 use crate::nbt::{Compound, Tag};
 use crate::space::Bounds;
 use ndarray::{SliceInfo, SliceInfoElem, s};
@@ -40,7 +41,7 @@ fn cover(grid: &Grid) -> bool {
     if bounds.any(|bounds| bounds == grid.bounds()) {
         return true;
     }
-    let nobodys = grid.palette().find(&states::leave_alone());
+    let nobodys = grid.palette().find(&BlockState::structure_void());
     let mut left_out = grid.cells().mapv(|id| Some(id) != nobodys);
     for region in &grid.metadata.regions {
         left_out.slice_mut(slice(region.bounds)).fill(false);

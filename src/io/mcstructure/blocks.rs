@@ -3,7 +3,7 @@
 use super::palette::Entry;
 use crate::block::{BlockState, Palette, is_always_in_water, is_water, takes_water};
 use crate::io::fields::{Fields, FromTag};
-use crate::io::{Limits, ReadError, Warning, states, volume};
+use crate::io::{Limits, ReadError, Warning, volume};
 use crate::nbt::Tag;
 use crate::space::Cell;
 use std::collections::BTreeMap;
@@ -103,7 +103,7 @@ impl Mix<'_> {
 
     /// Nothing in the first layer leaves the world alone, whatever is in the second.
     fn state(&self, block: Index, over: Index) -> BlockState {
-        let Some(block) = block else { return states::leave_alone() };
+        let Some(block) = block else { return BlockState::structure_void() };
         let state = &self.entries[block].state;
         match over {
             Some(over) if self.is_water(over) && state.is_air() => self.entries[over].state.clone(),

@@ -2,7 +2,7 @@
 
 use crate::block::BlockState;
 use crate::grid::Grid;
-use crate::io::states::{self, Complete};
+use crate::io::states::Complete;
 use rustc_hash::FxHashMap;
 
 /// Of one look, a number is that of a state in it. Of several it is that of a combination of such.
@@ -68,7 +68,7 @@ impl<'g> Joint<'g> {
 
     /// By number, in how many looks the world is left alone.
     pub fn left_alone(&self) -> Vec<usize> {
-        let leave_alone = states::leave_alone();
+        let leave_alone = BlockState::structure_void();
         let looks =
             |number| (0..self.looks()).filter(|&look| *self.state(number, look) == leave_alone).count();
         (0..self.len()).map(looks).collect()

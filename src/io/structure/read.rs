@@ -124,7 +124,7 @@ struct Look {
 fn look(size: Size, blocks: &[Placed], states: &States, jigsaws: Jigsaws) -> Result<Look, ReadError> {
     let full = |problem| ReadError::PaletteFull { path: states.path.clone(), problem };
     let mut grid = Grid::new(size.0);
-    let nobodys = grid.intern(&states::leave_alone()).map_err(full)?;
+    let nobodys = grid.intern(&BlockState::structure_void()).map_err(full)?;
     grid.fill(grid.bounds(), nobodys);
     let ids = states.states.iter().map(|state| grid.intern(state)).collect::<Result<Vec<u16>, _>>();
     let ids = ids.map_err(full)?;

@@ -92,7 +92,7 @@ fn left_alone(grid: &Grid, joint: &Joint) -> Option<Lost> {
 /// The state that is written for `number` in the look `look`.
 fn placed(joint: &Joint, number: u32, look: usize) -> BlockState {
     let state = joint.state(number, look);
-    if *state == states::leave_alone() { BlockState::air() } else { state.clone() }
+    if *state == BlockState::structure_void() { BlockState::air() } else { state.clone() }
 }
 
 fn author(grid: &Grid) -> Option<&String> {
