@@ -1,6 +1,6 @@
 use super::{Entity, Grid, Metadata};
 use crate::block::{BlockState, complete};
-use crate::nbt::Compound;
+use crate::nbt::{Compound, Name};
 use crate::space::{Bounds, Cell};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -112,9 +112,9 @@ fn metadata(a: &Grid, b: &Grid) -> BTreeSet<String> {
         ("variants", same_variants(a, b)),
     ];
     let fields = fields.into_iter().filter(|(_, same)| !same).map(|(name, _)| name.to_owned());
-    let names: BTreeSet<&String> = x.tags.keys().chain(y.tags.keys()).collect();
+    let names: BTreeSet<&Name> = x.tags.keys().chain(y.tags.keys()).collect();
     let tags = names.into_iter().filter(|name| x.tags.get(*name) != y.tags.get(*name));
-    fields.chain(tags.cloned()).collect()
+    fields.chain(tags.map(String::from)).collect()
 }
 
 fn same_variants(a: &Grid, b: &Grid) -> bool {

@@ -1,4 +1,5 @@
 use crate::grid::{Dialect, Grid, is_named};
+use crate::nbt::Name;
 use crate::space::Cell;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -69,21 +70,21 @@ impl Lost {
     }
 
     pub(super) fn metadata(grid: &Grid) -> Option<Lost> {
-        let names: Vec<String> = grid.metadata.tags.keys().cloned().collect();
+        let names: Vec<String> = grid.metadata.tags.keys().map(String::from).collect();
         (!names.is_empty()).then_some(Lost::Metadata(names))
     }
 
     /// As [`Lost::metadata`], where the format has a place for the tags `kept`.
     pub(super) fn metadata_but(grid: &Grid, kept: &[&str]) -> Option<Lost> {
         let names = grid.metadata.tags.keys().filter(|name| !kept.contains(&name.as_str()));
-        let names: Vec<String> = names.cloned().collect();
+        let names: Vec<String> = names.map(String::from).collect();
         (!names.is_empty()).then_some(Lost::Metadata(names))
     }
 
     /// The tags of other dialects than the one that is written.
     pub(super) fn own(grid: &Grid, written: Option<Dialect>) -> Option<Lost> {
         let own = grid.metadata.own.as_ref().filter(|own| Some(own.dialect) != written)?;
-        let names: Vec<String> = own.tags.keys().cloned().collect();
+        let names: Vec<String> = own.tags.keys().map(String::from).collect();
         (!names.is_empty()).then_some(Lost::Own(names))
     }
 
@@ -96,8 +97,8 @@ impl Lost {
 
     pub(super) fn all_regions(grid: &Grid) -> Lost {
         let regions = &grid.metadata.regions;
-        let tags: BTreeSet<&String> = regions.iter().flat_map(|region| region.tags.keys()).collect();
-        Lost::Regions { count: regions.len(), tags: tags.into_iter().cloned().collect() }
+        let tags: BTreeSet<&Name> = regions.iter().flat_map(|region| region.tags.keys()).collect();
+        Lost::Regions { count: regions.len(), tags: tags.into_iter().map(String::from).collect() }
     }
 
     pub(super) fn variants(grid: &Grid) -> Option<Lost> {

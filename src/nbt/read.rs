@@ -1,7 +1,9 @@
 use super::input::Input;
 use super::path::Path;
 use super::tag::id;
-use super::{Compound, Endian, Kept, Limits, NbtError, NbtProblem, Sink, Tag};
+use super::{Compound, Endian, Kept, Limits, Name, NbtError, NbtProblem, Sink, Tag};
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::io::BufRead;
 
 /// The root name and tree of big-endian NBT, which must fill `bytes`.
@@ -37,19 +39,29 @@ pub fn read_from(
     sink: &mut dyn Sink,
 ) -> Result<(String, Compound, u64), NbtError> {
     let (input, path) = (Input::new(input), Path::default());
-    let mut reader = Reader { input, endian, path, memory: limits.max_memory, limits, sink };
+    let (memory, text, open) = (limits.max_memory, Vec::new(), Vec::new());
+    let mut reader = Reader { input, endian, path, memory, limits, sink, text, open, seen: BTreeSet::new() };
     let root = reader.byte("the type of the root tag")?;
     if root != id::COMPOUND {
         return Err(NbtError::new(0, "", NbtProblem::Root(root)));
     }
-    let name = reader.text()?;
+    let name = reader.text()?.to_owned();
     let compound = reader.compound(1)?;
     Ok((name, compound, reader.input.at))
 }
 
-/// A node of a compound's map has room for 11 entries and is at least half full but for the first.
-const FIRST_ENTRY: u64 = 11 * size_of::<(String, Tag)>() as u64 + 16;
-const FURTHER_ENTRY: u64 = FIRST_ENTRY / 5;
+/// What a compound costs beside its entries: counts of clones and of room, what the allocator keeps, and its place
+/// among those seen.
+const COMPOUND: u64 = 64;
+const ENTRY: u64 = size_of::<(Name, Tag)>() as u64;
+
+/// More different items are looked through for longer than their copies take.
+const MOST_SEEN: usize = 1024;
+
+/// Whether comparing a tag may take long, and will rarely find its like.
+fn is_long(tag: &Tag) -> bool {
+    matches!(tag, Tag::ByteArray(_) | Tag::IntArray(_) | Tag::LongArray(_) | Tag::List(_) | Tag::Compound(_))
+}
 
 /// The few numbers that may be kept of a compound that was handed on.
 const HANDED_ON: u64 = 64;
@@ -62,6 +74,12 @@ struct Reader<'a, R> {
     memory: u64,
     limits: &'a Limits,
     sink: &'a mut dyn Sink,
+    /// The text that was read last.
+    text: Vec<u8>,
+    /// What was read so far of the compounds that stand in each other.
+    open: Vec<(Name, Tag)>,
+    /// Short compounds that are entries of lists.
+    seen: BTreeSet<Compound>,
 }
 
 impl<R: BufRead> Reader<'_, R> {
@@ -139,7 +157,7 @@ impl<R: BufRead> Reader<'_, R> {
             id::LONG => Tag::Long(i64::from_be_bytes(self.array("a Long")?)),
             id::FLOAT => Tag::Float(f32::from_be_bytes(self.array("a Float")?)),
             id::DOUBLE => Tag::Double(f64::from_be_bytes(self.array("a Double")?)),
-            id::STRING => Tag::String(self.text()?),
+            id::STRING => Tag::String(self.string()?),
             id::BYTE_ARRAY => Tag::ByteArray(self.numbers("a Byte Array", i8::from_be_bytes)?),
             id::INT_ARRAY => Tag::IntArray(self.numbers("an Int Array", i32::from_be_bytes)?),
             id::LONG_ARRAY => Tag::LongArray(self.numbers("a Long Array", i64::from_be_bytes)?),
@@ -201,18 +219,34 @@ impl<R: BufRead> Reader<'_, R> {
         Ok(numbers)
     }
 
-    fn text(&mut self) -> Result<String, NbtError> {
+    /// The next text, until another is read.
+    fn text(&mut self) -> Result<&str, NbtError> {
         let start = self.input.at;
         let len = u16::from_be_bytes(self.array("the length of a text")?);
-        // Twice: once for the text, once for the path where it is a name.
-        self.charge(2 * u64::from(len))?;
-        let mut bytes = vec![0; usize::from(len)];
+        let mut bytes = std::mem::take(&mut self.text);
+        bytes.resize(usize::from(len), 0);
         self.fill("a text", &mut bytes)?;
         // Plain UTF-8 comes first: many tools write it, and the two forms rarely differ.
-        String::from_utf8(bytes).or_else(|error| match cesu8::from_java_cesu8(error.as_bytes()) {
-            Ok(text) => Ok(text.into_owned()),
-            Err(_) => Err(NbtError::new(start, self.path.as_str(), NbtProblem::Text)),
-        })
+        if std::str::from_utf8(&bytes).is_err() {
+            let text = cesu8::from_java_cesu8(&bytes).map(Cow::into_owned);
+            let broken = |_| NbtError::new(start, self.path.as_str(), NbtProblem::Text);
+            bytes = text.map_err(broken)?.into_bytes();
+        }
+        self.text = bytes;
+        Ok(std::str::from_utf8(&self.text).unwrap_or_default())
+    }
+
+    fn string(&mut self) -> Result<String, NbtError> {
+        let string = self.text()?.to_owned();
+        self.charge(string.len() as u64)?;
+        Ok(string)
+    }
+
+    fn name(&mut self) -> Result<Name, NbtError> {
+        let name = Name::from(self.text()?);
+        // Long ones twice: they stand in the path, too.
+        self.charge(if name.len() > Name::INLINE_LIMIT { 2 * name.len() as u64 } else { 0 })?;
+        Ok(name)
     }
 
     /// The list of a compound, which `sink` may take.
@@ -250,7 +284,8 @@ impl<R: BufRead> Reader<'_, R> {
         let mut entries = Vec::new();
         for index in 0..len {
             self.reserve(&mut entries, 1, len)?;
-            entries.push(self.payload(kind, depth + 1).map_err(|error| error.in_entry(&mark, index))?);
+            let entry = self.payload(kind, depth + 1).map_err(|error| error.in_entry(&mark, index))?;
+            entries.push(self.shared(entry));
         }
         self.path.leave(&mark);
         Ok(entries)
@@ -271,20 +306,45 @@ impl<R: BufRead> Reader<'_, R> {
         Ok(())
     }
 
+    /// A clone of the same compound where one came before: chests full of one item are most of some builds.
+    fn shared(&mut self, entry: Tag) -> Tag {
+        let Tag::Compound(compound) = entry else { return entry };
+        if compound.values().any(is_long) {
+            return Tag::Compound(compound);
+        }
+        let same = self.seen.get(&compound).cloned();
+        if same.is_none() && self.seen.len() < MOST_SEEN {
+            self.seen.insert(compound.clone());
+        }
+        Tag::Compound(same.unwrap_or(compound))
+    }
+
     fn compound(&mut self, depth: usize) -> Result<Compound, NbtError> {
         self.check_depth(depth)?;
-        let mut compound = Compound::new();
+        let start = self.open.len();
         loop {
             let kind = self.byte("a Compound")?;
             if kind == id::END {
-                return Ok(compound);
+                return Ok(Compound::split_off(&mut self.open, start));
             }
-            let name = self.text()?;
-            self.charge(if compound.is_empty() { FIRST_ENTRY } else { FURTHER_ENTRY })?;
+            let name = self.name()?;
+            self.charge(if self.open.len() == start { COMPOUND + ENTRY } else { ENTRY })?;
             let mark = self.path.enter_tag(&name);
             let tag = self.tag(kind, depth + 1)?;
             self.path.leave(&mark);
-            compound.insert(name, tag);
+            self.make_open()?;
+            self.open.push((name, tag));
         }
+    }
+
+    /// Makes room for one more tag of an open compound.
+    fn make_open(&mut self) -> Result<(), NbtError> {
+        let (len, room) = (self.open.len(), self.open.capacity());
+        if len == room {
+            let more = room.max(16);
+            self.charge(more as u64 * ENTRY)?;
+            self.open.reserve_exact(more);
+        }
+        Ok(())
     }
 }

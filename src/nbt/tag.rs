@@ -1,10 +1,8 @@
-use std::collections::BTreeMap;
+use super::Compound;
+use std::cmp::Ordering;
 
-/// The tags of a compound by name. Sorted, so that the same tree always gives the same bytes.
-pub type Compound = BTreeMap<String, Tag>;
-
-/// One value of an NBT tree.
-#[derive(Clone, PartialEq, Debug)]
+/// One value of an NBT tree. Tags are equal when their bytes are: a NaN is itself, and -0.0 is not 0.0.
+#[derive(Clone, Debug)]
 pub enum Tag {
     Byte(i8),
     Short(i16),
@@ -71,5 +69,39 @@ impl Tag {
             Tag::List(_) => "a List",
             Tag::Compound(_) => "a Compound",
         }
+    }
+}
+
+impl Ord for Tag {
+    fn cmp(&self, other: &Tag) -> Ordering {
+        match (self, other) {
+            (Tag::Byte(a), Tag::Byte(b)) => a.cmp(b),
+            (Tag::Short(a), Tag::Short(b)) => a.cmp(b),
+            (Tag::Int(a), Tag::Int(b)) => a.cmp(b),
+            (Tag::Long(a), Tag::Long(b)) => a.cmp(b),
+            (Tag::Float(a), Tag::Float(b)) => a.total_cmp(b),
+            (Tag::Double(a), Tag::Double(b)) => a.total_cmp(b),
+            (Tag::ByteArray(a), Tag::ByteArray(b)) => a.cmp(b),
+            (Tag::String(a), Tag::String(b)) => a.cmp(b),
+            (Tag::List(a), Tag::List(b)) => a.cmp(b),
+            (Tag::Compound(a), Tag::Compound(b)) => a.cmp(b),
+            (Tag::IntArray(a), Tag::IntArray(b)) => a.cmp(b),
+            (Tag::LongArray(a), Tag::LongArray(b)) => a.cmp(b),
+            _ => self.id().cmp(&other.id()),
+        }
+    }
+}
+
+impl PartialOrd for Tag {
+    fn partial_cmp(&self, other: &Tag) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Eq for Tag {}
+
+impl PartialEq for Tag {
+    fn eq(&self, other: &Tag) -> bool {
+        self.cmp(other) == Ordering::Equal
     }
 }

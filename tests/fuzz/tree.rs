@@ -31,7 +31,7 @@ fn collect(tags: &Compound, values: &mut Vec<Tag>) {
 
 /// Changes one tag, mostly deep within.
 fn change(tags: &mut Compound, values: &[Tag], rng: &mut Pcg32) {
-    let names: Vec<String> = tags.keys().cloned().collect();
+    let names: Vec<String> = tags.keys().map(String::from).collect();
     let Some(name) = names.choose(rng) else { return };
     match rng.random_range(0..12) {
         0 => drop(tags.remove(name)),

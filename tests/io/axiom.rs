@@ -67,13 +67,13 @@ fn what_the_file_says_of_itself() {
     let chest =
         tags([("x", Tag::Int(3)), ("y", Tag::Int(4)), ("z", Tag::Int(5)), ("id", text("minecraft:chest"))]);
     let mut far = chest.clone();
-    far.insert("x".into(), Tag::Int(i32::MIN));
+    far.insert("x", Tag::Int(i32::MIN));
     let mut root = blocks(vec![section(
         [0; 3],
         &["minecraft:void_air", "minecraft:chest"],
         &[(3 + 16 * 5 + 256 * 4, 1)],
     )]);
-    root.insert("BlockEntities".into(), Tag::List(vec![Tag::Compound(chest), Tag::Compound(far)]));
+    root.insert("BlockEntities", Tag::List(vec![Tag::Compound(chest), Tag::Compound(far)]));
     let decoded = read(&file(&header(), b"png", &root)).unwrap();
     assert_eq!(decoded.warnings, [Warning::BlockEntitiesOutside(1)]);
     let Content::Grid(grid) = decoded.content else { panic!("no grid") };

@@ -129,7 +129,7 @@ fn refusals_name_the_field_and_what_was_expected() {
 fn more_states_than_a_grid_holds() {
     let entries = (0..65_536).map(|n| (format!("a:b{n}"), Tag::Int(n)));
     let mut root = small();
-    root.insert("Palette".into(), Tag::Compound(entries.collect()));
+    root.insert("Palette", Tag::Compound(entries.collect()));
     let error = read(&file(&root)).unwrap_err().to_string();
     assert_eq!(error, "`Palette`: more than 65,536 distinct block states");
 }

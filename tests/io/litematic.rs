@@ -78,7 +78,7 @@ proptest! {
     #[test]
     fn what_is_written_is_read(grid in grid(), cuts in btree_set(1..9i32, 0..4), date in 1..i64::MAX) {
         let mut grid = complete(grid);
-        grid.metadata.tags.insert("Date".into(), Tag::Long(date));
+        grid.metadata.tags.insert("Date", Tag::Long(date));
         grid.metadata.tags.retain(|_, tag| *tag != string(""));
         grid.metadata.own = Some(Own { dialect: Dialect::Litematica, tags: tags([("Mod", Tag::Byte(1))]) });
         grid.metadata.regions = cut(&grid, &cuts);

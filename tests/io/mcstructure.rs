@@ -121,7 +121,7 @@ fn block_entities_get_the_ids_of_java() {
     assert_eq!(read_grid(&empty).block_entities, [([0; 3], tags([("id", text("minecraft:chest"))]))].into());
     assert_eq!(read(&empty).unwrap().warnings, []);
     let mut full = tags(place);
-    full.insert("Items".into(), Tag::List(vec![compound([("Name", text("minecraft:stick"))])]));
+    full.insert("Items", Tag::List(vec![compound([("Name", text("minecraft:stick"))])]));
     assert_eq!(read(&chest(full).file()).unwrap().warnings, [Warning::BedrockData(1)]);
 }
 

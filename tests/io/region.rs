@@ -509,7 +509,7 @@ fn chunks_that_share_their_sectors_are_read_once() {
 #[test]
 fn bombs_stop_at_the_limit_of_the_region() {
     let mut chunk = chunk_1_16([0, 0]);
-    chunk.insert("zeros".into(), Tag::ByteArray(vec![0; 1 << 20]));
+    chunk.insert("zeros", Tag::ByteArray(vec![0; 1 << 20]));
     let limits = Limits { max_bytes: 3 << 20, ..Limits::default() };
     for kind in [1, 2, 4] {
         let mut bytes = region(&[([0, 0], &chunk)], kind);
@@ -529,7 +529,7 @@ fn bombs_stop_at_the_limit_of_the_region() {
 fn chunks_beyond_the_edge_of_all_worlds_count_as_not_made() {
     let mut root = chunk_1_16([0, 0]);
     let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
-    level.insert("xPos".into(), Tag::Int(i32::MIN));
+    level.insert("xPos", Tag::Int(i32::MIN));
     let error = read(&region(&[([0, 0], &root)], 2)).unwrap_err().to_string();
     assert_eq!(error, "there is no block but air");
 }
@@ -538,7 +538,7 @@ fn chunks_beyond_the_edge_of_all_worlds_count_as_not_made() {
 fn half_made_chunks_count_as_not_made() {
     let mut root = chunk_1_16([0, 0]);
     let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
-    level.insert("Status".into(), Tag::String("structure_starts".into()));
+    level.insert("Status", Tag::String("structure_starts".into()));
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("r.0.0.mca");
     std::fs::write(&path, region(&[([0, 0], &root)], 2)).unwrap();

@@ -39,7 +39,7 @@ fn placed(x: i32, state: i32) -> Tag {
 
 fn placed_with(x: i32, state: i32, nbt: Compound) -> Tag {
     let Tag::Compound(mut block) = placed(x, state) else { unreachable!() };
-    block.insert("nbt".into(), Tag::Compound(nbt));
+    block.insert("nbt", Tag::Compound(nbt));
     Tag::Compound(block)
 }
 
@@ -176,7 +176,7 @@ fn several_palettes_are_variants() {
     let palettes = Tag::List(vec![palette(&["stone", "dirt"]), palette(&["oak_planks", "sand"])]);
     let mut root = small();
     root.remove("palette");
-    root.insert("palettes".into(), palettes);
+    root.insert("palettes", palettes);
     let grid = read_grid(&nbt::write("", &root).unwrap());
     assert_eq!(blocks(&grid), ["stone", "structure_void", "dirt"]);
     let [variant] = &grid.variants[..] else { panic!("one variant") };

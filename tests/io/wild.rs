@@ -15,8 +15,8 @@ fn blocks(extra: Compound) -> Compound {
 fn small_3(extra: Compound) -> Compound {
     let mut body = small();
     body.retain(|name, _| !name.contains("Palette") && name != "BlockData");
-    body.insert("Version".into(), Tag::Int(3));
-    body.insert("Blocks".into(), Tag::Compound(blocks(extra)));
+    body.insert("Version", Tag::Int(3));
+    body.insert("Blocks", Tag::Compound(blocks(extra)));
     body
 }
 

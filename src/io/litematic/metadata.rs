@@ -61,7 +61,7 @@ pub(super) struct Totals {
 pub(super) fn write(grid: &Grid, totals: &Totals) -> Compound {
     let mut tags = grid.metadata.tags.clone();
     for name in TEXTS {
-        tags.entry(name.to_owned()).or_insert(Tag::String(String::new()));
+        tags.insert_missing(name, || Tag::String(String::new()));
     }
     let created = match tags.remove("Date") {
         Some(date @ Tag::Long(_)) => date,
@@ -70,7 +70,7 @@ pub(super) fn write(grid: &Grid, totals: &Totals) -> Compound {
             Tag::Long(0)
         }
     };
-    tags.entry("TimeModified".to_owned()).or_insert_with(|| created.clone());
+    tags.insert_missing("TimeModified", || created.clone());
     tags.insert("TimeCreated".to_owned(), created);
     let count = |count: usize| Tag::Int(count.try_into().unwrap_or(i32::MAX));
     tags.extend(COUNTED.map(str::to_owned).into_iter().zip([

@@ -52,9 +52,10 @@ fn parts<'a>(root: &Fields<'a>, only: Option<&str>) -> Result<Vec<Part<'a>>, Rea
         names.map(|name| Part::read(name, Fields::new(regions.path(name), regions.get::<&Compound>(name)?)));
     let parts = parts.collect::<Result<Vec<Part>, ReadError>>()?;
     match only {
-        Some(name) if parts.is_empty() => {
-            Err(ReadError::NoRegion { name: name.to_owned(), names: regions.tags.keys().cloned().collect() })
-        }
+        Some(name) if parts.is_empty() => Err(ReadError::NoRegion {
+            name: name.to_owned(),
+            names: regions.tags.keys().map(String::from).collect(),
+        }),
         None if parts.is_empty() => {
             Err(ReadError::WrongType { path, expected: "at least one region", found: "empty".to_owned() })
         }

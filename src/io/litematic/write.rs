@@ -68,7 +68,7 @@ fn placed(grid: &Grid, piece: &Piece) -> Result<Compound, WriteError> {
     let [Some(position), Some(_)] = corners else { return Err(WriteError::Offset(offset)) };
     let mut tags = piece.tags.cloned().unwrap_or_default();
     for name in PENDING {
-        tags.entry(name.to_owned()).or_insert(Tag::List(Vec::new()));
+        tags.insert_missing(name, || Tag::List(Vec::new()));
     }
     tags.insert("Position".to_owned(), xyz(position));
     tags.insert("Size".to_owned(), xyz(piece.bounds.size()));

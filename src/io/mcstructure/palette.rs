@@ -48,5 +48,5 @@ fn texts(states: &Compound) -> BTreeMap<String, String> {
         Tag::String(text) => Some(text.clone()),
         _ => None,
     };
-    states.iter().filter_map(|(key, tag)| Some((key.clone(), text(tag)?))).collect()
+    states.iter().filter_map(|(key, tag)| Some((String::from(key), text(tag)?))).collect()
 }

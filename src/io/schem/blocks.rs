@@ -11,6 +11,7 @@ use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
 use ndarray::Array3;
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// The states of a file, and their numbers by the indices that the file gives them.
 pub(super) struct Palettes {
@@ -68,7 +69,7 @@ fn entries<'a>(path: &str, tags: &'a Compound) -> Result<Vec<(usize, &'a str)>, 
         let index = i32::from_tag(tag).filter(|index| (0..=PALETTE_INDEX_MAX).contains(index));
         let found = || match tag {
             Tag::Int(index) => {
-                ReadError::PaletteIndex { path: path.to_owned(), entry: entry.clone(), index: *index }
+                ReadError::PaletteIndex { path: path.to_owned(), entry: entry.to_string(), index: *index }
             }
             _ => ReadError::WrongType {
                 path: format!("{path}.{entry}"),
@@ -137,17 +138,16 @@ fn cell_at(at: usize, size: Cell) -> Cell {
 pub(super) fn encode(grid: &Grid) -> (Compound, Outgoing<'_>) {
     let cells = grid.cells().as_slice().expect("a grid's cells are in the standard layout");
     let states = grid.palette().states();
-    let mut palette = Compound::new();
+    let mut indices = BTreeMap::new();
     let mut table = vec![0; states.len()];
     let version = grid.metadata.version();
     for id in used(cells, states.len()) {
         let state = complete_in(&states[usize::from(id)], version).to_string();
-        let next = palette.len() as i32;
+        let next = indices.len() as u16;
         // States that are one once complete share an index.
-        if let Tag::Int(index) = palette.entry(state).or_insert(Tag::Int(next)) {
-            table[usize::from(id)] = *index as u16;
-        }
+        table[usize::from(id)] = *indices.entry(state).or_insert(next);
     }
+    let palette = indices.into_iter().map(|(state, index)| (state, Tag::Int(index.into()))).collect();
     (palette, Outgoing::new(Cow::Borrowed(cells), table, 1))
 }
 

@@ -3,7 +3,7 @@ use super::{KNOWN, WE_OFFSET, biomes, blocks, entities};
 use crate::grid::{DEFAULT_DATA_VERSION, Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::{Encoded, Lost, WriteError, gzip};
-use crate::nbt::{self, Compound, Compounds, Endian, Source, Tag};
+use crate::nbt::{self, Compound, Compounds, Endian, Name, Source, Tag};
 use std::io::{self, Write};
 
 /// The versions of the format that are written.
@@ -96,7 +96,7 @@ fn lost(grid: &Grid, version: SchemVersion) -> Vec<Lost> {
 }
 
 /// The tags that no version knows.
-fn own_tags(grid: &Grid) -> impl Iterator<Item = (&String, &Tag)> {
+fn own_tags(grid: &Grid) -> impl Iterator<Item = (&Name, &Tag)> {
     let own = grid.metadata.own.iter().filter(|own| own.dialect == Dialect::Sponge);
     own.flat_map(|own| &own.tags)
 }
@@ -116,7 +116,7 @@ fn own_in_blocks(grid: &Grid) -> Compound {
 }
 
 fn lost_in_blocks(grid: &Grid, version: SchemVersion) -> Option<Lost> {
-    let names: Vec<String> = own_in_blocks(grid).into_keys().collect();
+    let names: Vec<String> = own_in_blocks(grid).keys().map(String::from).collect();
     (version == SchemVersion::V2 && !names.is_empty()).then_some(Lost::Own(names))
 }
 

@@ -35,7 +35,7 @@ pub fn section(place: [i32; 3], palette: &[&str], cells: &[(usize, u64)]) -> Tag
     let palette = palette.iter().map(|name| Tag::Compound(tags([("Name", text(name))])));
     let mut states = tags([("palette", Tag::List(palette.collect()))]);
     if !cells.is_empty() {
-        states.insert("data".into(), Tag::LongArray(longs.iter().map(|long| long.cast_signed()).collect()));
+        states.insert("data", Tag::LongArray(longs.iter().map(|long| long.cast_signed()).collect()));
     }
     let [x, y, z] = place.map(Tag::Int);
     Tag::Compound(tags([("X", x), ("Y", y), ("Z", z), ("BlockStates", Tag::Compound(states))]))
