@@ -10,6 +10,7 @@ mod input;
 mod limits;
 mod path;
 mod read;
+mod seen;
 mod stream;
 mod tag;
 mod write;

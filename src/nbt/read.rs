@@ -1,9 +1,9 @@
 use super::input::Input;
 use super::path::Path;
+use super::seen::Seen;
 use super::tag::id;
 use super::{Compound, Endian, Kept, Limits, Name, NbtError, NbtProblem, Sink, Tag};
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 use std::io::BufRead;
 
 /// The root name and tree of big-endian NBT, which must fill `bytes`.
@@ -40,7 +40,7 @@ pub fn read_from(
 ) -> Result<(String, Compound, u64), NbtError> {
     let (input, path) = (Input::new(input), Path::default());
     let (memory, text, open) = (limits.max_memory, Vec::new(), Vec::new());
-    let mut reader = Reader { input, endian, path, memory, limits, sink, text, open, seen: BTreeSet::new() };
+    let mut reader = Reader { input, endian, path, memory, limits, sink, text, open, seen: Seen::new() };
     let root = reader.byte("the type of the root tag")?;
     if root != id::COMPOUND {
         return Err(NbtError::new(0, "", NbtProblem::Root(root)));
@@ -50,18 +50,9 @@ pub fn read_from(
     Ok((name, compound, reader.input.at))
 }
 
-/// What a compound costs beside its entries: counts of clones and of room, what the allocator keeps, and its place
-/// among those seen.
-const COMPOUND: u64 = 64;
+/// What a compound costs beside its entries: counts of clones and of room, what the allocator keeps.
+const COMPOUND: u64 = 32;
 const ENTRY: u64 = size_of::<(Name, Tag)>() as u64;
-
-/// More different items are looked through for longer than their copies take.
-const MOST_SEEN: usize = 1024;
-
-/// Whether comparing a tag may take long, and will rarely find its like.
-fn is_long(tag: &Tag) -> bool {
-    matches!(tag, Tag::ByteArray(_) | Tag::IntArray(_) | Tag::LongArray(_) | Tag::List(_) | Tag::Compound(_))
-}
 
 /// The few numbers that may be kept of a compound that was handed on.
 const HANDED_ON: u64 = 64;
@@ -78,8 +69,8 @@ struct Reader<'a, R> {
     text: Vec<u8>,
     /// What was read so far of the compounds that stand in each other.
     open: Vec<(Name, Tag)>,
-    /// Short compounds that are entries of lists.
-    seen: BTreeSet<Compound>,
+    /// Of the compounds that are entries of lists.
+    seen: Seen,
 }
 
 impl<R: BufRead> Reader<'_, R> {
@@ -285,7 +276,10 @@ impl<R: BufRead> Reader<'_, R> {
         for index in 0..len {
             self.reserve(&mut entries, 1, len)?;
             let entry = self.payload(kind, depth + 1).map_err(|error| error.in_entry(&mark, index))?;
-            entries.push(self.shared(entry));
+            entries.push(match entry {
+                Tag::Compound(compound) => Tag::Compound(self.seen.share(compound)),
+                other => other,
+            });
         }
         self.path.leave(&mark);
         Ok(entries)
@@ -304,19 +298,6 @@ impl<R: BufRead> Reader<'_, R> {
         }
         self.path.leave(&mark);
         Ok(())
-    }
-
-    /// A clone of the same compound where one came before: chests full of one item are most of some builds.
-    fn shared(&mut self, entry: Tag) -> Tag {
-        let Tag::Compound(compound) = entry else { return entry };
-        if compound.values().any(is_long) {
-            return Tag::Compound(compound);
-        }
-        let same = self.seen.get(&compound).cloned();
-        if same.is_none() && self.seen.len() < MOST_SEEN {
-            self.seen.insert(compound.clone());
-        }
-        Tag::Compound(same.unwrap_or(compound))
     }
 
     fn compound(&mut self, depth: usize) -> Result<Compound, NbtError> {

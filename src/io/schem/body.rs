@@ -97,7 +97,7 @@ impl Body {
 
 fn take_list(tags: &mut Compound, path: &str, name: &str, layout: Layout) -> Result<Vec<Entry>, ReadError> {
     let paths: Vec<String> =
-        Fields::new(path, tags).list(name)?.iter().map(|entry| entry.path.clone()).collect();
+        Fields::new(path, tags).list(name)?.into_iter().map(|entry| entry.path).collect();
     let Some(Tag::List(entries)) = tags.remove(name) else { return Ok(Vec::new()) };
     let compounds = entries.into_iter().filter_map(|entry| match entry {
         Tag::Compound(tags) => Some(tags),

@@ -77,10 +77,10 @@ pub(super) fn entities(entries: Vec<Entry>, frame: Frame) -> Result<Found, ReadE
 fn data(entry: Entry) -> Result<Compound, ReadError> {
     let id = entry.fields().find::<&str>("Id")?.map(str::to_owned);
     let mut data = entry.data();
-    data.extend(id.map(|id| ("id".to_owned(), Tag::String(id))));
     for name in ["Id", "Pos", "ContentVersion"] {
         data.remove(name);
     }
+    id.into_iter().for_each(|id| drop(data.insert("id", Tag::String(id))));
     Ok(data)
 }
 
