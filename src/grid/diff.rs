@@ -113,7 +113,7 @@ fn metadata(a: &Grid, b: &Grid) -> BTreeSet<String> {
     ];
     let fields = fields.into_iter().filter(|(_, same)| !same).map(|(name, _)| name.to_owned());
     let names: BTreeSet<&Name> = x.tags.keys().chain(y.tags.keys()).collect();
-    let tags = names.into_iter().filter(|name| x.tags.get(*name) != y.tags.get(*name));
+    let tags = names.into_iter().filter(|name| x.tags.get(name) != y.tags.get(name));
     fields.chain(tags.map(String::from)).collect()
 }
 

@@ -21,7 +21,7 @@ pub(super) fn read(
     let [x, y, z] = size.to_array().map(|n| n as usize);
     let (numbered, shape) = match body.inner("Biomes")? {
         Some(biomes) => (numbered(&biomes, "Palette", "Data", arrays)?, Shape::Cells([y, z, x])),
-        None if PARTS.iter().any(|name| body.tags.contains_key(*name)) => {
+        None if PARTS.iter().any(|name| body.tags.contains_key(name)) => {
             (numbered(body, PARTS[0], PARTS[1], arrays)?, Shape::Columns([z, x]))
         }
         None => return Ok(None),
