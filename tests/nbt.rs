@@ -92,6 +92,22 @@ proptest! {
     }
 
     #[test]
+    fn compounds_that_come_again_are_read_again(
+        kinds in vec(compound(), 1..4),
+        lists in vec(vec(any::<prop::sample::Index>(), 0..9), 0..9),
+        size in 1..400usize,
+    ) {
+        let list = |list: &Vec<prop::sample::Index>| {
+            Tag::List(list.iter().map(|at| Tag::Compound(at.get(&kinds).clone())).collect())
+        };
+        let tags: Compound = lists.iter().enumerate().map(|(at, each)| (at.to_string(), list(each))).collect();
+        let bytes = nbt::write("", &tags).unwrap();
+        let pieces = BufReader::with_capacity(size, &bytes[..]);
+        let (_, back, end) = nbt::read_from(pieces, Endian::Big, &Limits::default(), &mut ()).unwrap();
+        prop_assert_eq!((back, end), (tags, bytes.len() as u64));
+    }
+
+    #[test]
     fn fastnbt_reads_the_same(tags in compound()) {
         let bytes = nbt::write("root", &tags).unwrap();
         let found: HashMap<String, fastnbt::Value> = fastnbt::from_bytes(&bytes).unwrap();
@@ -187,6 +203,25 @@ fn as_deep_as_the_game_goes() {
     assert_eq!(read(&bytes).unwrap().1, deep);
     let deeper = nbt::write("", &Compound::from([("a", Tag::Compound(deep))])).unwrap();
     assert!(matches!(read(&deeper).unwrap_err().problem, NbtProblem::TooDeep(512)));
+}
+
+#[test]
+fn what_came_before_is_refused_where_it_stands_too_deep() {
+    let item = || Tag::List(vec![Tag::Compound(Compound::from([("Slot", Tag::Byte(1))]))]);
+    let inner = Tag::Compound(Compound::from([("Items", item())]));
+    let tags = Compound::from([("a", item()), ("b", inner)]);
+    let bytes = nbt::write("", &tags).unwrap();
+    let within = |max_depth| nbt::read(&bytes, &Limits { max_depth, ..Limits::default() });
+    assert_eq!(within(4).unwrap().1, tags);
+    assert!(matches!(within(3).unwrap_err().problem, NbtProblem::TooDeep(3)));
+}
+
+#[test]
+fn memory_is_bounded_where_compounds_come_again() {
+    let item = Tag::Compound(Compound::from([("Slot", Tag::Byte(1))]));
+    let bytes = nbt::write("", &Compound::from([("Items", Tag::List(vec![item; 1000]))])).unwrap();
+    let limits = Limits { max_memory: 100_000, ..Limits::default() };
+    assert!(matches!(nbt::read(&bytes, &limits).unwrap_err().problem, NbtProblem::TooLarge(100_000)));
 }
 
 #[test]

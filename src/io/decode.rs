@@ -45,9 +45,9 @@ pub fn decode_with(bytes: &[u8], limits: &Limits, options: &Options) -> Result<D
 fn decode_tags(format: Format, tags: Tags, limits: &Limits, options: &Options) -> Result<Decoded, ReadError> {
     let (about, root) = (About::of_tags(format, &tags.root), &tags.root);
     let (grid, mut warnings) = match format {
-        Format::Schem => schem::decode(tags.root, tags.long.arrays, limits)?,
+        Format::Schem => schem::decode(tags.root, tags.long.schem, limits)?,
         Format::Litematic => litematic::decode(root, limits, options.region.as_deref())?,
-        Format::Structure => structure::decode(root, tags.long.blocks, limits, options.jigsaws)?,
+        Format::Structure => structure::decode(root, tags.long.structure, limits, options.jigsaws)?,
         Format::Mcedit => mcedit::decode(root, limits)?,
         Format::Blueprint => blueprint::decode(root, limits)?,
         _ => return Err(ReadError::Unreadable(format)),
@@ -83,6 +83,7 @@ pub fn sniff(bytes: &[u8], limits: &Limits) -> Result<Format, ReadError> {
 }
 
 /// A file as far as all formats are alike.
+#[expect(clippy::large_enum_variant, reason = "one is made per file")]
 enum Opened<'a> {
     /// Big-endian NBT, read as a stream.
     Tags(Format, Tags),
@@ -107,25 +108,34 @@ struct Tags {
 
 /// What is too long for a tree of tags, of formats that are told apart only when all tags are there.
 struct Long {
-    arrays: schem::Incoming,
-    blocks: structure::Incoming,
+    schem: schem::Incoming,
+    structure: structure::Incoming,
+    /// Whose list is coming in.
+    list: Format,
 }
 
 impl Sink for Long {
     fn wants(&mut self, path: &str, len: usize) -> bool {
-        self.arrays.wants(path, len)
+        self.schem.wants(path, len)
     }
 
     fn take(&mut self, bytes: &[u8]) {
-        self.arrays.take(bytes);
+        self.schem.take(bytes);
     }
 
     fn wants_list(&mut self, path: &str) -> bool {
-        self.blocks.wants_list(path)
+        let takers: [(Format, &mut dyn Sink); 2] =
+            [(Format::Schem, &mut self.schem), (Format::Structure, &mut self.structure)];
+        let taker = takers.into_iter().find_map(|(format, sink)| sink.wants_list(path).then_some(format));
+        self.list = taker.unwrap_or(self.list);
+        taker.is_some()
     }
 
     fn entry(&mut self, index: usize, compound: Compound) -> Kept {
-        self.blocks.entry(index, compound)
+        match self.list {
+            Format::Structure => self.structure.entry(index, compound),
+            _ => self.schem.entry(index, compound),
+        }
     }
 }
 
@@ -155,8 +165,11 @@ fn open<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Opened<'a>, ReadError> {
 fn tags(content: Box<dyn BufRead + '_>, most: usize, limits: &Limits) -> Result<Tags, ReadError> {
     // The layers below are too deep to be asked for every number.
     let mut content = BufReader::with_capacity(gzip::CHUNK, content);
-    let mut long =
-        Long { arrays: schem::Incoming::new(most, limits), blocks: structure::Incoming::default() };
+    let mut long = Long {
+        schem: schem::Incoming::new(most, limits),
+        structure: structure::Incoming::default(),
+        list: Format::Schem,
+    };
     let (_, root, _) = nbt::read_from(&mut content, Endian::Big, &limits.nbt(), &mut long)?;
     // To the very end, where gzip keeps its checksum.
     let trailing = io::copy(&mut content, &mut io::sink())?;

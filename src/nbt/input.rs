@@ -31,6 +31,19 @@ impl<R: BufRead> Input<R> {
         Ok(passed)
     }
 
+    /// The next bytes that are there already, without the error that may come instead of more.
+    #[inline]
+    pub fn ahead(&mut self) -> &[u8] {
+        self.bytes.fill_buf().unwrap_or_default()
+    }
+
+    /// Leaves out `len` bytes of those ahead.
+    #[inline]
+    pub fn skip(&mut self, len: usize) {
+        self.bytes.consume(len);
+        self.at += len as u64;
+    }
+
     /// Fills `target` as far as there are bytes, and says how far.
     #[inline]
     pub fn fill(&mut self, target: &mut [u8]) -> io::Result<usize> {

@@ -3,6 +3,7 @@
 //! Both ways work on streams. Where a file is mostly one long array, a [`Sink`] takes it as it is read and a [`Source`]
 //! gives it as it is written, and the tree is small.
 
+mod again;
 mod compound;
 mod endian;
 mod error;
@@ -20,6 +21,7 @@ pub use endian::Endian;
 pub use error::{NbtError, NbtProblem};
 pub use limits::Limits;
 pub use read::{read, read_as, read_first, read_from};
+pub use seen::Seen;
 pub use stream::{Compounds, Kept, Part, Sink, Source, View};
 pub use tag::Tag;
 pub use write::{WriteError, write, write_as, write_to};

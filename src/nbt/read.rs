@@ -1,3 +1,4 @@
+use super::again::{Again, Ahead};
 use super::input::Input;
 use super::path::Path;
 use super::seen::Seen;
@@ -40,7 +41,19 @@ pub fn read_from(
 ) -> Result<(String, Compound, u64), NbtError> {
     let (input, path) = (Input::new(input), Path::default());
     let (memory, text, open) = (limits.max_memory, Vec::new(), Vec::new());
-    let mut reader = Reader { input, endian, path, memory, limits, sink, text, open, seen: Seen::new() };
+    let mut reader = Reader {
+        input,
+        endian,
+        path,
+        memory,
+        limits,
+        sink,
+        text,
+        open,
+        seen: Seen::of(SHORT),
+        again: Again::new(),
+        buffer: Vec::new(),
+    };
     let root = reader.byte("the type of the root tag")?;
     if root != id::COMPOUND {
         return Err(NbtError::new(0, "", NbtProblem::Root(root)));
@@ -53,6 +66,9 @@ pub fn read_from(
 /// What a compound costs beside its entries: counts of clones and of room, what the allocator keeps.
 const COMPOUND: u64 = 32;
 const ENTRY: u64 = size_of::<(Name, Tag)>() as u64;
+
+/// As long as entries of lists may be to be looked up: in lists of lists it is done at every depth.
+const SHORT: usize = 512;
 
 /// The few numbers that may be kept of a compound that was handed on.
 const HANDED_ON: u64 = 64;
@@ -71,6 +87,9 @@ struct Reader<'a, R> {
     open: Vec<(Name, Tag)>,
     /// Of the compounds that are entries of lists.
     seen: Seen,
+    again: Again,
+    /// The bytes of an array that are becoming numbers.
+    buffer: Vec<u8>,
 }
 
 impl<R: BufRead> Reader<'_, R> {
@@ -189,23 +208,25 @@ impl<R: BufRead> Reader<'_, R> {
         self.entries(what, len, number)
     }
 
-    /// The `len` numbers of an array. Never inlined, lest its buffer stand in every frame of a deep tree.
-    #[inline(never)]
+    /// The `len` numbers of an array.
     fn entries<T, const N: usize>(
         &mut self,
         what: &'static str,
         len: usize,
         number: impl Fn([u8; N]) -> T,
     ) -> Result<Vec<T>, NbtError> {
-        let mut buffer = [0; 8192];
+        const MOST: usize = 8192;
         let mut numbers = Vec::new();
         while numbers.len() < len {
-            let step = (len - numbers.len()).min(buffer.len() / N);
+            let step = (len - numbers.len()).min(MOST / N);
             let before = numbers.len() * N;
-            self.fill(what, &mut buffer[..step * N]).map_err(|error| error.in_array(before, len * N))?;
+            let mut buffer = std::mem::take(&mut self.buffer);
+            buffer.resize(step * N, 0);
+            self.fill(what, &mut buffer).map_err(|error| error.in_array(before, len * N))?;
             self.reserve(&mut numbers, step, len)?;
-            let (chunks, _) = buffer[..step * N].as_chunks::<N>();
+            let (chunks, _) = buffer.as_chunks::<N>();
             numbers.extend(chunks.iter().map(|chunk| number(self.endian.arrange(*chunk))));
+            self.buffer = buffer;
         }
         Ok(numbers)
     }
@@ -243,7 +264,8 @@ impl<R: BufRead> Reader<'_, R> {
     /// The list of a compound, which `sink` may take.
     fn list_tag(&mut self, depth: usize) -> Result<Vec<Tag>, NbtError> {
         match self.list_head(depth)? {
-            (id::COMPOUND, len) if self.sink.wants_list(self.path.as_str()) => {
+            // An empty list is one of no compounds, whatever type it gives.
+            (id::COMPOUND, len) | (_, len @ 0) if self.sink.wants_list(self.path.as_str()) => {
                 self.streamed_list(len, depth)?;
                 Ok(Vec::new())
             }
@@ -275,14 +297,32 @@ impl<R: BufRead> Reader<'_, R> {
         let mut entries = Vec::new();
         for index in 0..len {
             self.reserve(&mut entries, 1, len)?;
-            let entry = self.payload(kind, depth + 1).map_err(|error| error.in_entry(&mark, index))?;
-            entries.push(match entry {
-                Tag::Compound(compound) => Tag::Compound(self.seen.share(compound)),
-                other => other,
-            });
+            let entry = match kind {
+                id::COMPOUND => self.entry(index, depth + 1).map(Tag::Compound),
+                _ => self.payload(kind, depth + 1),
+            };
+            let entry = entry.map_err(|error| error.in_entry(&mark, index))?;
+            entries.push(entry);
         }
         self.path.leave(&mark);
         Ok(entries)
+    }
+
+    /// The compound number `index` of a list that stays in the tree.
+    fn entry(&mut self, index: usize, depth: usize) -> Result<Compound, NbtError> {
+        self.check_depth(depth)?;
+        let ahead = self.input.ahead();
+        if let Some((compound, len)) = self.again.find(index, ahead) {
+            let compound = compound.clone();
+            self.input.skip(len);
+            self.charge(COMPOUND + ENTRY * compound.len() as u64 + len as u64)?;
+            return Ok(compound);
+        }
+        let (ahead, start) = (Ahead::of(ahead), self.input.at);
+        let compound = self.compound(depth)?;
+        let (compound, _) = self.seen.share(compound);
+        self.again.keep(index, &ahead, (self.input.at - start) as usize, &compound);
+        Ok(compound)
     }
 
     /// Hands on the compounds of a list, one after the other. Only those that are kept cost memory.

@@ -1,7 +1,7 @@
 //! What tools write that the specification does not foresee, and vox reads all the same.
 
 use super::{file, read, read_grid, small, tags};
-use vox::io::{SchemVersion, Warning, encode_schem};
+use vox::io::{Limits, SchemVersion, Warning, decode, encode_schem};
 use vox::nbt::{self, Compound, Tag};
 use vox::space::Cell;
 
@@ -153,6 +153,47 @@ fn block_entities_in_every_layout() {
     }
     let outside = read(&in_2("BlockEntities", chest(ints([2, 0, 0]), lock()))).unwrap();
     assert_eq!(outside.warnings, [Warning::BlockEntitiesOutside(1)]);
+}
+
+#[test]
+fn of_lists_of_one_name_the_last_one_counts() {
+    let place = Tag::IntArray(vec![1, 0, 1]);
+    let first = ("BlockEntitieX", chest(place, Compound::new()));
+    let empty = ("BlockEntities", Tag::List(Vec::new()));
+    let mut bytes = nbt::write("Schematic", &with(small(), tags([first, empty]))).unwrap();
+    let at = bytes.windows(13).position(|name| name == b"BlockEntitieX").unwrap();
+    bytes[at + 12] = b's';
+    assert!(read_grid(&bytes).block_entities.is_empty());
+}
+
+#[test]
+fn damage_to_block_entities_counts_inside_the_build_only() {
+    let nameless = |x| {
+        let place = ("Pos", Tag::IntArray(vec![x, 0, 0]));
+        let entry = Tag::Compound(tags([place, ("Id", Tag::Int(5))]));
+        file(&with(small(), tags([("BlockEntities", Tag::List(vec![entry]))])))
+    };
+    assert_eq!(read(&nameless(9)).unwrap().warnings, [Warning::BlockEntitiesOutside(1)]);
+    let inside = read(&nameless(0)).unwrap_err().to_string();
+    assert_eq!(inside, "the tag `BlockEntities[0].Id` is an Int (5): expected a String");
+}
+
+/// A list of bytes costs 32 times its length, and the next one is read before it is known to be equal.
+#[test]
+fn equal_block_entities_take_the_memory_of_one() {
+    let entry = |x| {
+        let pages = Tag::List(vec![Tag::Byte(0); 1000]);
+        let place = Tag::IntArray(vec![x, 0, 0]);
+        Tag::Compound(tags([
+            ("Id", Tag::String("minecraft:lectern".into())),
+            ("Pos", place),
+            ("Pages", pages),
+        ]))
+    };
+    let list = Tag::List([0, 1, 0, 1].map(entry).to_vec());
+    let bytes = file(&with(small(), tags([("BlockEntities", list)])));
+    let limits = Limits { max_bytes: 100_000, ..Limits::default() };
+    assert!(decode(&bytes, &limits).is_ok());
 }
 
 #[test]

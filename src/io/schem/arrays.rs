@@ -12,7 +12,7 @@ use std::io::{self, Write};
 const PATHS: [&str; 4] = ["BlockData", "Blocks.Data", "BiomeData", "Biomes.Data"];
 
 /// Decodes the arrays of a schematic as its file streams by, whatever their order.
-pub struct Incoming {
+pub(super) struct Arrays {
     arrays: BTreeMap<String, Decoder>,
     /// The path of the array that is coming in.
     current: String,
@@ -21,15 +21,15 @@ pub struct Incoming {
     believed: usize,
 }
 
-impl Incoming {
+impl Arrays {
     /// For a file that unpacks to at most `believed` bytes.
-    pub fn new(believed: usize, limits: &Limits) -> Incoming {
+    pub fn new(believed: usize, limits: &Limits) -> Arrays {
         let max_numbers = usize::try_from(limits.max_cells).unwrap_or(usize::MAX);
-        Incoming { arrays: BTreeMap::new(), current: String::new(), max_numbers, believed }
+        Arrays { arrays: BTreeMap::new(), current: String::new(), max_numbers, believed }
     }
 
     /// The numbers of the Byte Array `name`; `None` where it is absent.
-    pub(super) fn find(&mut self, fields: &Fields, name: &str) -> Result<Option<Varints>, ReadError> {
+    pub fn find(&mut self, fields: &Fields, name: &str) -> Result<Option<Varints>, ReadError> {
         let Some(bytes) = fields.find::<&[i8]>(name)? else { return Ok(None) };
         let decoder = self.arrays.remove(&fields.path(name)).unwrap_or_else(|| {
             let mut decoder = Decoder::new(bytes.len(), bytes.len(), self.max_numbers);
@@ -41,7 +41,7 @@ impl Incoming {
     }
 }
 
-impl Sink for Incoming {
+impl Sink for Arrays {
     fn wants(&mut self, path: &str, len: usize) -> bool {
         let wanted = PATHS.contains(&path.strip_prefix("Schematic.").unwrap_or(path));
         if wanted {

@@ -1,7 +1,7 @@
 //! Biomes: one per column up to version 2, one per block in version 3.
 
 use super::SchemVersion;
-use super::arrays::{Incoming, Outgoing};
+use super::arrays::{Arrays, Outgoing};
 use crate::grid::{BiomeMap, Biomes, Grid};
 use crate::io::fields::{Fields, FromTag};
 use crate::io::{Lost, ReadError, Warning};
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 /// The biomes of a schematic; `None` where there are none, or, with a warning, where they do not fit the size.
 pub(super) fn read(
     body: &Fields,
-    arrays: &mut Incoming,
+    arrays: &mut Arrays,
     size: Cell,
     warnings: &mut Vec<Warning>,
 ) -> Result<Option<Biomes>, ReadError> {
@@ -60,7 +60,7 @@ fn numbered(
     fields: &Fields,
     palette: &str,
     data: &str,
-    arrays: &mut Incoming,
+    arrays: &mut Arrays,
 ) -> Result<Option<Numbered>, ReadError> {
     let (palette, data) = (fields.find::<&Compound>(palette)?, arrays.find(fields, data)?);
     Ok(palette.zip(data.filter(|data| data.stop.is_none())).and_then(|(palette, data)| {

@@ -1,3 +1,5 @@
+use super::entry::{Entry, Layout};
+use super::placed::{Lists, Placed};
 use super::{KNOWN, KNOWN_IN_BLOCKS};
 use crate::grid::{Dialect, Own};
 use crate::io::ReadError;
@@ -10,40 +12,6 @@ pub(super) struct Body {
     tags: Compound,
     /// What stands beside `Schematic`.
     beside: Compound,
-}
-
-/// Where a schematic keeps its blocks, and the data of entities.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Layout {
-    /// Versions 1 and 2: beside the sizes, beside `Id`.
-    Flat,
-    /// Version 3: in `Blocks`, in `Data`.
-    Nested,
-}
-
-/// One entry of a list, and where it stands.
-pub(super) struct Entry {
-    path: String,
-    tags: Compound,
-    layout: Layout,
-}
-
-impl Entry {
-    pub fn fields(&self) -> Fields<'_> {
-        Fields::new(self.path.as_str(), &self.tags)
-    }
-
-    /// The game's data, with tags of the format where they stand among them. Some programs write version 3 without `Data`;
-    /// in version 2 a tag of that name is the game's.
-    pub fn data(mut self) -> Compound {
-        match self.tags.remove("Data") {
-            Some(Tag::Compound(data)) if self.layout == Layout::Nested => data,
-            other => {
-                self.tags.extend(other.map(|tag| ("Data".to_owned(), tag)));
-                self.tags
-            }
-        }
-    }
 }
 
 impl Body {
@@ -63,22 +31,22 @@ impl Body {
         if self.tags.contains_key("Blocks") { Layout::Nested } else { Layout::Flat }
     }
 
-    pub fn take_entities(&mut self) -> Result<Vec<Entry>, ReadError> {
+    /// What `read` makes of the entities, which are then gone.
+    pub fn take_entities<T>(&mut self, read: Read<T>) -> Result<Vec<T>, ReadError> {
         let layout = self.layout();
-        take_list(&mut self.tags, self.path, "Entities", layout)
+        take_list(&mut self.tags, self.path, "Entities", layout, read)
     }
 
     /// Those of version 1 have a name of their own, those of version 3 stand in `Blocks`.
-    pub fn take_block_entities(&mut self) -> Result<Vec<Entry>, ReadError> {
+    pub fn take_block_entities(&mut self, streamed: &mut Lists) -> Result<[Vec<Placed>; 2], ReadError> {
         let layout = self.layout();
         let blocks_path = self.fields().path("Blocks");
         let (tags, path) = match self.tags.get_mut("Blocks") {
             Some(Tag::Compound(blocks)) => (blocks, &*blocks_path),
             _ => (&mut self.tags, self.path),
         };
-        let mut entries = take_list(tags, path, "TileEntities", layout)?;
-        entries.extend(take_list(tags, path, "BlockEntities", layout)?);
-        Ok(entries)
+        let old = take_list(tags, path, "TileEntities", layout, Placed::read)?;
+        Ok([old, streamed.find(&Fields::new(path, tags), "BlockEntities")?])
     }
 
     /// What no version of the format knows.
@@ -95,13 +63,24 @@ impl Body {
     }
 }
 
-fn take_list(tags: &mut Compound, path: &str, name: &str, layout: Layout) -> Result<Vec<Entry>, ReadError> {
-    let paths: Vec<String> =
-        Fields::new(path, tags).list(name)?.into_iter().map(|entry| entry.path).collect();
+/// What is made of an entry of a list.
+type Read<T> = fn(Entry) -> Result<T, ReadError>;
+
+fn take_list<T>(
+    tags: &mut Compound,
+    path: &str,
+    name: &str,
+    layout: Layout,
+    read: Read<T>,
+) -> Result<Vec<T>, ReadError> {
+    let fields = Fields::new(path, tags);
+    fields.list(name)?;
+    let list = fields.path(name);
     let Some(Tag::List(entries)) = tags.remove(name) else { return Ok(Vec::new()) };
     let compounds = entries.into_iter().filter_map(|entry| match entry {
         Tag::Compound(tags) => Some(tags),
         _ => None,
     });
-    Ok(paths.into_iter().zip(compounds).map(|(path, tags)| Entry { path, tags, layout }).collect())
+    let entries = compounds.enumerate().map(|(index, tags)| Entry { list: &list, index, tags, layout });
+    entries.map(read).collect()
 }

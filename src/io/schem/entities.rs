@@ -8,7 +8,9 @@
 //! | block that it hangs in | as its place | in the world, where the low corner is at `Offset` from `Origin` |
 
 use super::SchemVersion;
-use super::body::{Entry, Layout};
+use super::body::Body;
+use super::entry::Layout;
+use super::placed::Placed;
 use crate::grid::{Grid, is_named};
 use crate::io::entities::{self, Found, Frame};
 use crate::io::{ReadError, Warning};
@@ -21,20 +23,19 @@ type BlockEntities = BTreeMap<[i32; 3], Compound>;
 
 /// Block entities by place. `corner` is where the file says its low corner is: some tools count places from there.
 pub(super) fn block_entities(
-    entries: Vec<Entry>,
+    placed: impl Iterator<Item = Placed>,
     bounds: Bounds,
     corner: Cell,
     warnings: &mut Vec<Warning>,
 ) -> Result<BlockEntities, ReadError> {
     let mut block_entities = BTreeMap::new();
     let mut outside = 0;
-    for entry in entries {
-        let place = Cell::from_array(entry.fields().get("Pos")?);
+    for Placed { place, data } in placed {
         let places = [Some(place), place.checked_sub(corner)];
         match places.into_iter().flatten().find(|&place| bounds.contains(place)) {
             None => outside += 1,
             Some(place) => {
-                block_entities.insert(place.to_array(), data(entry)?);
+                block_entities.insert(place.to_array(), data.map_err(|problem| *problem)?);
             }
         }
     }
@@ -64,24 +65,12 @@ fn origin(metadata: &Compound) -> Cell {
 }
 
 /// The entities of a schematic.
-pub(super) fn entities(entries: Vec<Entry>, frame: Frame) -> Result<Found, ReadError> {
+pub(super) fn entities(body: &mut Body, frame: Frame) -> Result<Found, ReadError> {
     let mut found = Found::default();
-    for entry in entries {
-        let place = entry.fields().get("Pos")?;
-        found.add(entities::read(place, data(entry)?, frame));
+    for (place, data) in body.take_entities(|entry| Ok((entry.get("Pos")?, entry.data()?)))? {
+        found.add(entities::read(place, data, frame));
     }
     Ok(found)
-}
-
-/// The data in the game's form: with `id`, without a place.
-fn data(entry: Entry) -> Result<Compound, ReadError> {
-    let id = entry.fields().find::<&str>("Id")?.map(str::to_owned);
-    let mut data = entry.data();
-    for name in ["Id", "Pos", "ContentVersion"] {
-        data.remove(name);
-    }
-    id.into_iter().for_each(|id| drop(data.insert("id", Tag::String(id))));
-    Ok(data)
 }
 
 /// The `named` block entities of `grid`. Those without an `id` stay away: clients crash on them.

@@ -14,10 +14,13 @@ mod biomes;
 mod blocks;
 mod body;
 mod entities;
+mod entry;
+mod incoming;
+mod placed;
 mod read;
 mod write;
 
-pub(super) use arrays::Incoming;
+pub(super) use incoming::Incoming;
 pub(super) use read::decode;
 pub use write::{SchemVersion, encode_schem};
 

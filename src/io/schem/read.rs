@@ -1,6 +1,7 @@
-use super::arrays::Incoming;
+use super::arrays::Arrays;
 use super::blocks::{self, Palettes};
 use super::body::Body;
+use super::incoming::Incoming;
 use super::{WE_OFFSET, biomes, entities};
 use crate::grid::{Grid, Metadata};
 use crate::io::error::Size;
@@ -11,12 +12,9 @@ use crate::nbt::Compound;
 use crate::space::{Bounds, Cell};
 
 /// The grid of a schematic of any version, by where its tags stand: the version it claims is often
-/// absent or wrong. `arrays` has the arrays that `root` lacks.
-pub fn decode(
-    root: Compound,
-    mut arrays: Incoming,
-    limits: &Limits,
-) -> Result<(Grid, Vec<Warning>), ReadError> {
+/// absent or wrong. `long` has the arrays and block entities that `root` lacks.
+pub fn decode(root: Compound, long: Incoming, limits: &Limits) -> Result<(Grid, Vec<Warning>), ReadError> {
+    let Incoming { mut arrays, mut block_entities } = long;
     let mut body = Body::of(root)?;
     let mut warnings = Vec::new();
     let mut grid = grid(&body, &mut arrays, limits, &mut warnings)?;
@@ -26,18 +24,18 @@ pub fn decode(
     grid.metadata.biomes = biomes::read(&fields, &mut arrays, grid.size(), &mut warnings)?;
 
     let frame = entities::frame(body.layout(), corner, &grid.metadata.tags);
-    let found = entities::entities(body.take_entities()?, frame)?;
+    let found = entities::entities(&mut body, frame)?;
     warnings.extend(found.warning());
     grid.metadata.entities = found.entities;
-    let entries = body.take_block_entities()?;
-    grid.block_entities = entities::block_entities(entries, grid.bounds(), corner, &mut warnings)?;
+    let placed = body.take_block_entities(&mut block_entities)?.into_iter().flatten();
+    grid.block_entities = entities::block_entities(placed, grid.bounds(), corner, &mut warnings)?;
     grid.metadata.own = body.own();
     Ok((grid, warnings))
 }
 
 fn grid(
     body: &Body,
-    arrays: &mut Incoming,
+    arrays: &mut Arrays,
     limits: &Limits,
     warnings: &mut Vec<Warning>,
 ) -> Result<Grid, ReadError> {
