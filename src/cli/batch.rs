@@ -4,10 +4,11 @@ use super::failure::Failure;
 use super::input::{self, Limit, Reading};
 use super::output::{self, Kind, Writing};
 use super::progress::Progress;
+use super::report;
 use super::summary::{self, Summary};
 use super::template::Template;
 use crate::grid::Grid;
-use crate::io::Content;
+use crate::io::{Content, Format};
 use std::path::{Path, PathBuf};
 
 /// Files to read, and what to write.
@@ -39,7 +40,8 @@ impl Batch {
         let progress = Progress::new(inputs.len());
         let (mut summary, mut failures) = (Summary::default(), Vec::new());
         for (input, output) in inputs.iter().zip(&outputs) {
-            let made = input::content(input, reading).and_then(|content| work(&input::name(input), content));
+            let made = self.content(input, output, reading);
+            let made = made.and_then(|content| work(&input::name(input), content));
             match made.and_then(|made| self.write(input, output, made, &inputs)) {
                 Ok(what) => summary.add(output, what),
                 Err(Failure::Pipe) => return Err(Failure::Pipe),
@@ -57,6 +59,23 @@ impl Batch {
         self.each(&self.limit.reading(), |name, content| {
             work(name, input::require_grid(name, content)?).map(Content::Grid)
         })
+    }
+
+    /// What is in `input`. Which version of the game is written for blocks that say none is told.
+    fn content(&self, input: &Path, output: &Path, reading: &Reading) -> Result<Content, Failure> {
+        let decoded = input::told(input, reading)?;
+        if let Content::Grid(grid) = &decoded.content
+            && grid.metadata.data_version.is_none()
+            && decoded.about.format != Format::MagicaVoxel
+            && self.writing.says_version(output)?
+        {
+            let version = grid.version();
+            report::warning(&format!(
+                "{}: the file does not say which version of Minecraft it is of, and counts as {version}",
+                input::name(input)
+            ));
+        }
+        Ok(decoded.content)
     }
 
     /// Writes one building; gives back what it is in a few words.

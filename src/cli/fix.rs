@@ -28,7 +28,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
 
 /// Mends a grid by the rules of the newest version, in the words of its own.
 fn mend_in_version(grid: &mut Grid) -> Result<Mended, PaletteFull> {
-    let (own, newest) = (grid.metadata.version(), Version::newest());
+    let (own, newest) = (grid.version(), Version::newest());
     let said = grid.metadata.data_version.replace(newest.data_version());
     let moved =
         |from, to| move |state: &BlockState| translated(state, from, to).unwrap_or_else(|_| state.clone());

@@ -95,9 +95,14 @@ pub fn scale(text: &str) -> Result<Scale, String> {
 
 /// The content of a building's file. What reading it had to put right is told.
 pub fn content(path: &Path, reading: &Reading) -> Result<Content, Failure> {
+    told(path, reading).map(|decoded| decoded.content)
+}
+
+/// All that can be told of a building's file. What reading it had to put right is told.
+pub fn told(path: &Path, reading: &Reading) -> Result<Decoded, Failure> {
     let (name, decoded) = (name(path), decoded(path, reading)?);
     decoded.warnings.iter().for_each(|warning| report::warning(&format!("{name}: {warning}")));
-    Ok(decoded.content)
+    Ok(decoded)
 }
 
 /// All that can be told of a building's file.

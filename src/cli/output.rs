@@ -4,13 +4,12 @@ use super::failure::{Failure, io_text};
 use super::input::is_stdio;
 use super::part::CellArg;
 use super::report;
-use crate::block::{self, BlockState, Newer, Version};
-use crate::grid::{Anchor, Grid, LabelledBox};
+use crate::block::{self, BlockState, Version};
+use crate::grid::{Anchor, Grid, LabelledBox, NotIn};
 use crate::io::{self, Encoded, EncodedRegions, LitematicVersion, Lost, SchemVersion, Staged, WriteError};
 use crate::space::Cell;
 use crate::view;
 use clap::ValueEnum;
-use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -139,6 +138,12 @@ impl Writing {
         }
     }
 
+    /// Whether what is written says a version of the game, and none is asked for.
+    pub fn says_version(&self, path: &Path) -> Result<bool, Failure> {
+        let is_of_game = !matches!(self.kind(path)?, Kind::Vox | Kind::Obj | Kind::Png);
+        Ok(is_of_game && self.mc_version.is_none())
+    }
+
     /// The files of a grid.
     pub fn grid(&self, path: &Path, grid: Grid) -> Result<Vec<Output>, Failure> {
         let (kind, name) = (self.kind(path)?, path.display().to_string());
@@ -236,36 +241,21 @@ fn of_whole(lost: Lost, grid: &Grid) -> Option<Lost> {
     }
 }
 
-/// Brings the blocks to another version of the game, or names those that it does not have.
+/// Brings a grid to another version of the game. What keeps the form of its own version is told.
 fn to_version(name: &str, grid: &mut Grid, to: Version) -> Result<(), Failure> {
-    let from = grid.metadata.version();
-    let builds = std::iter::once(&*grid).chain(&grid.variants);
-    let states = builds.flat_map(|build| build.counts()).map(|(state, _)| state);
-    let newer = states.filter_map(|state| block::translated(state, from, to).err());
-    let newer: BTreeSet<String> =
-        newer.map(|Newer { state, needs }| format!("{} ({needs})", newer_part(&state, to))).collect();
-    if !newer.is_empty() {
-        let names = newer.into_iter().collect::<Vec<String>>().join(", ");
-        let failure = Failure::of_file(name, format!("Minecraft {to} does not have {names}"));
-        return Err(failure.hint("put others in their place with `vox replace`"));
-    }
-    let data = grid.block_entities.len() + grid.metadata.entities.len();
-    if data > 0 && from != to {
+    let from = grid.version();
+    let kept = grid.bring_to(to).map_err(|error| match &error {
+        NotIn::Blocks { .. } => {
+            Failure::of_file(name, error).hint("put others in their place with `vox replace`")
+        }
+        _ => Failure::of_file(name, error),
+    })?;
+    if !kept.is_none() {
         report::warning(&format!(
-            "{name}: the data of {data} block entities and entities (signs, chests, ..) keep the form of Minecraft {from}, \
-             which {to} may not understand"
+            "{name}: these keep the form of Minecraft {from}, which {to} may not understand: {kept}"
         ));
     }
-    let change = |old: &BlockState| block::translated(old, from, to).unwrap_or_else(|_| old.clone());
-    grid.map_states(change).map_err(|error| Failure::of_file(name, error))?;
-    grid.metadata.data_version = Some(to.data_version());
     Ok(())
-}
-
-/// The block, or its state where `version` has the block in others.
-fn newer_part(state: &BlockState, version: Version) -> String {
-    let bare = state.properties().fold(state.clone(), |bare, (key, _)| bare.without(key));
-    if block::legal_in(&bare, version) { state.short() } else { bare.short() }
 }
 
 /// The region files of a grid in the folder of a world. Those that are there hold other chunks, and stay.

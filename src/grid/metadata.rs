@@ -1,9 +1,8 @@
-use crate::block::Version;
 use crate::nbt::{Compound, Tag};
 use crate::space::{Bounds, Cell};
 use ndarray::{Array2, Array3};
 
-/// The game version written for grids that do not say theirs: 1.20.1.
+/// The least game version that is written for grids that do not say theirs: 1.20.1.
 pub const DEFAULT_DATA_VERSION: i32 = 3465;
 
 /// What a schematic file says of itself beside its blocks.
@@ -21,15 +20,6 @@ pub struct Metadata {
     pub biomes: Option<Biomes>,
     /// The named parts that a file came in, within the grid; empty where it is one whole.
     pub regions: Vec<Region>,
-}
-
-impl Metadata {
-    /// The version of the game whose properties block states have. Before 1.13 they had names of their own, which
-    /// nothing is known of.
-    pub fn version(&self) -> Version {
-        let data_version = self.data_version.unwrap_or(DEFAULT_DATA_VERSION);
-        Version::of_data(data_version).unwrap_or(Version::oldest())
-    }
 }
 
 /// Tags beyond those that vox knows, kept for files of the same format.

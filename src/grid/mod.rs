@@ -6,12 +6,14 @@ mod count;
 mod crop;
 mod diff;
 mod entity;
+mod era;
 mod labelled;
 mod metadata;
 mod oddity;
 mod replace;
 mod split;
 mod turn;
+mod version;
 
 use crate::block::{BlockState, Palette, PaletteFull};
 use crate::nbt::Compound;
@@ -21,12 +23,14 @@ use std::collections::BTreeMap;
 
 pub use anchor::{Anchor, NoDoor};
 pub use diff::{BlockDiff, Diff};
+pub use era::Kept;
 pub use labelled::{LabelledBox, LabelledBoxes};
 pub use metadata::{
     BiomeMap, Biomes, DEFAULT_DATA_VERSION, Dialect, Entity, Metadata, Own, Region, is_named,
 };
 pub use oddity::Oddity;
 pub use replace::Replaced;
+pub use version::NotIn;
 
 /// A box of blocks. Every cell holds a number of the palette; 0 is air.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 //! count it from the low corner of a region, from the middle of the world or from where the build was once saved.
 
 use super::fields::Fields;
-use super::{DEFAULT_DATA_VERSION, ReadError, Warning};
+use super::{ReadError, Warning};
 use crate::grid::{Entity, is_named};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
@@ -95,15 +95,11 @@ pub(super) fn take_block(data: &mut Compound) -> Option<Cell> {
 }
 
 /// The tags that name the block of an entity, in the form of a version of the game.
-pub(super) fn block_tags(
-    entity: &Entity,
-    frame: Frame,
-    data_version: Option<i32>,
-) -> Vec<(&'static str, Tag)> {
+pub(super) fn block_tags(entity: &Entity, frame: Frame, data_version: i32) -> Vec<(&'static str, Tag)> {
     let Some(block) = entity.block.map(|block| block.wrapping_add(frame.blocks).to_array()) else {
         return Vec::new();
     };
-    match data_version.unwrap_or(DEFAULT_DATA_VERSION) {
+    match data_version {
         BLOCK_POS_SINCE.. => vec![(BLOCK_POS, Tag::IntArray(block.to_vec()))],
         _ => TILE.into_iter().zip(block.map(Tag::Int)).collect(),
     }
@@ -116,7 +112,7 @@ pub(super) fn place(entity: &Entity, frame: Frame) -> Tag {
 }
 
 /// The data of an entity in a file, without its place.
-pub(super) fn data(entity: &Entity, frame: Frame, data_version: Option<i32>) -> Compound {
+pub(super) fn data(entity: &Entity, frame: Frame, data_version: i32) -> Compound {
     let mut data = entity.data.clone();
     data.extend(
         block_tags(entity, frame, data_version).into_iter().map(|(name, tag)| (name.to_owned(), tag)),
@@ -125,7 +121,7 @@ pub(super) fn data(entity: &Entity, frame: Frame, data_version: Option<i32>) -> 
 }
 
 /// The data of an entity in a file, with its place beside them.
-pub(super) fn write(entity: &Entity, frame: Frame, data_version: Option<i32>) -> Tag {
+pub(super) fn write(entity: &Entity, frame: Frame, data_version: i32) -> Tag {
     let mut data = data(entity, frame, data_version);
     data.insert("Pos".to_owned(), place(entity, frame));
     Tag::Compound(data)

@@ -29,7 +29,7 @@ pub use unsettle::unsettle;
 /// property its default, as far as the grid's version of the game has them. States that become equal are one in the
 /// palette.
 pub fn settle(grid: &mut Grid) -> Result<(), PaletteFull> {
-    settle_in(grid, grid.metadata.version())
+    settle_in(grid, grid.version())
 }
 
 /// Settles a grid whose states are of `version`.

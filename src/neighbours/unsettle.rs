@@ -8,7 +8,7 @@ const MOST_ROUNDS: usize = 16;
 /// Takes off what neighbours decide, wherever [`settle`] gives it back: settling the grid again gives what
 /// settling it before would have given.
 pub fn unsettle(grid: &mut Grid) -> Result<(), PaletteFull> {
-    unsettle_in(grid, grid.metadata.version())
+    unsettle_in(grid, grid.version())
 }
 
 fn unsettle_in(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {

@@ -73,7 +73,7 @@ pub fn grid() -> impl Strategy<Value = Grid> {
 
 /// The grid as it is written: with all properties that its version has.
 pub fn complete(mut grid: Grid) -> Grid {
-    let version = grid.metadata.version();
+    let version = grid.version();
     grid.map_states(|state| complete_in(state, version)).unwrap();
     grid
 }

@@ -2,8 +2,8 @@
 
 use super::{LitematicVersion, XYZ};
 use crate::grid::{Dialect, Grid, Metadata, Own};
+use crate::io::ReadError;
 use crate::io::fields::Fields;
-use crate::io::{DEFAULT_DATA_VERSION, ReadError};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
 
@@ -90,8 +90,7 @@ pub(super) fn root(grid: &Grid, version: LitematicVersion) -> Compound {
     };
     let own = grid.metadata.own.as_ref().filter(|own| own.dialect == Dialect::Litematica);
     let mut root = own.map(|own| own.tags.clone()).unwrap_or_default();
-    let data_version = grid.metadata.data_version.unwrap_or(DEFAULT_DATA_VERSION);
-    let numbers = [("Version", version), ("SubVersion", 1), ("MinecraftDataVersion", data_version)];
+    let numbers = [("Version", version), ("SubVersion", 1), ("MinecraftDataVersion", grid.data_version())];
     root.extend(numbers.map(|(name, n)| (name.to_owned(), Tag::Int(n))));
     root
 }

@@ -42,7 +42,7 @@ pub fn encode_litematic(grid: &Grid, version: LitematicVersion) -> Result<Encode
 }
 
 fn regions(grid: &Grid, pieces: &[Piece]) -> Result<(Compound, Totals), WriteError> {
-    let complete = Complete::of(grid.palette(), grid.metadata.version());
+    let complete = Complete::of(grid.palette(), grid.version());
     let entities = entities_by_piece(grid, pieces);
     let mut totals = Totals { regions: pieces.len(), ..Totals::default() };
     let mut regions = Compound::new();
@@ -78,11 +78,12 @@ fn placed(grid: &Grid, piece: &Piece) -> Result<Compound, WriteError> {
 
 /// Every entity once: with the first piece that it is in, or the first of all.
 fn entities_by_piece(grid: &Grid, pieces: &[Piece]) -> Vec<Vec<Tag>> {
+    let version = grid.data_version();
     let mut by_piece = vec![Vec::new(); pieces.len()];
     for entity in &grid.metadata.entities {
         let home = pieces.iter().position(|piece| piece.bounds.contains(entity.home())).unwrap_or_default();
         let frame = Frame::at(-pieces[home].bounds.min);
-        by_piece[home].push(io::entities::write(entity, frame, grid.metadata.data_version));
+        by_piece[home].push(io::entities::write(entity, frame, version));
     }
     by_piece
 }

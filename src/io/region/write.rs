@@ -8,7 +8,7 @@ use super::{CHUNK, REGION, biomes};
 use crate::block::{Palette, complete_in};
 use crate::grid::{Grid, is_named};
 use crate::io::entities::Frame;
-use crate::io::{self, DEFAULT_DATA_VERSION, Lost, WriteError};
+use crate::io::{self, Lost, WriteError};
 use crate::nbt::{self, Compound, Tag};
 use crate::space::{Bounds, Cell};
 use flate2::Compression;
@@ -34,7 +34,7 @@ pub struct EncodedRegions {
 /// gives way. Chunks of nothing but `structure_void` are left out. The same grid always gives the same bytes.
 pub fn encode_regions(grid: &Grid, at: Cell) -> Result<EncodedRegions, WriteError> {
     let part = part(grid, at)?;
-    let data_version = grid.metadata.data_version.unwrap_or(DEFAULT_DATA_VERSION);
+    let data_version = grid.data_version();
     if data_version < OLDEST {
         return Err(WriteError::OldBlocks(data_version));
     }
@@ -143,7 +143,7 @@ struct States {
 impl States {
     fn of(grid: &Grid) -> States {
         let states = grid.palette().states();
-        let version = grid.metadata.version();
+        let version = grid.version();
         let void = states.iter().position(|state| state.short_name() == "structure_void");
         States {
             entries: states.iter().map(|state| section::entry(&complete_in(state, version))).collect(),
@@ -246,7 +246,7 @@ impl Build<'_> {
             // Here the game goes by the place and not by the block.
             let cell = (glam::DVec3::from_array(entity.place) + self.at.as_dvec3()).floor().as_ivec3();
             let chunk = [cell.x, cell.z].map(|n| n.div_euclid(CHUNK));
-            let data = io::entities::write(entity, Frame::at(self.at), Some(self.data_version));
+            let data = io::entities::write(entity, Frame::at(self.at), self.data_version);
             chunks.entry(chunk).or_default().push(data);
         }
         chunks

@@ -140,7 +140,7 @@ pub(super) fn encode(grid: &Grid) -> (Compound, Outgoing<'_>) {
     let states = grid.palette().states();
     let mut indices = BTreeMap::new();
     let mut table = vec![0; states.len()];
-    let version = grid.metadata.version();
+    let version = grid.version();
     for id in used(cells, states.len()) {
         let state = complete_in(&states[usize::from(id)], version).to_string();
         let next = indices.len() as u16;

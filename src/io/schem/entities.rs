@@ -88,10 +88,10 @@ pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Compounds<'_
         SchemVersion::V2 => Layout::Flat,
         SchemVersion::V3 => Layout::Nested,
     };
-    let metadata = &grid.metadata;
+    let (metadata, data_version) = (&grid.metadata, grid.data_version());
     let frame = frame(layout, metadata.offset, &metadata.tags);
     let entries = metadata.entities.iter().filter_map(move |entity| {
-        let block = entities::block_tags(entity, frame, metadata.data_version);
+        let block = entities::block_tags(entity, frame, data_version);
         view(entities::place(entity, frame), &entity.data, block, version)
     });
     let len = metadata.entities.iter().filter(|entity| is_named(&entity.data)).count();

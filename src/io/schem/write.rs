@@ -1,6 +1,6 @@
 use super::arrays::Outgoing;
 use super::{KNOWN, WE_OFFSET, biomes, blocks, entities};
-use crate::grid::{DEFAULT_DATA_VERSION, Dialect, Grid};
+use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
 use crate::io::{Encoded, Lost, WriteError, gzip};
 use crate::nbt::{self, Compound, Compounds, Endian, Name, Source, Tag};
@@ -133,7 +133,7 @@ fn extents(grid: &Grid) -> Result<[i16; 3], WriteError> {
 fn common(grid: &Grid, [width, height, length]: [i16; 3]) -> Compound {
     let metadata = &grid.metadata;
     compound([
-        ("DataVersion", Tag::Int(metadata.data_version.unwrap_or(DEFAULT_DATA_VERSION))),
+        ("DataVersion", Tag::Int(grid.data_version())),
         ("Width", Tag::Short(width)),
         ("Height", Tag::Short(height)),
         ("Length", Tag::Short(length)),

@@ -19,8 +19,9 @@ pub(super) fn read(root: &Fields) -> Result<Found, ReadError> {
 }
 
 pub(super) fn write(grid: &Grid) -> Tag {
+    let version = grid.data_version();
     let entries = grid.metadata.entities.iter().map(|entity| {
-        let data = entities::data(entity, Frame::LOW, grid.metadata.data_version);
+        let data = entities::data(entity, Frame::LOW, version);
         Tag::Compound(Compound::from([
             ("pos".to_owned(), entities::place(entity, Frame::LOW)),
             ("blockPos".to_owned(), Tag::List(entity.home().to_array().map(Tag::Int).to_vec())),

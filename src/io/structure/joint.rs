@@ -25,7 +25,7 @@ impl<'g> Joint<'g> {
     pub fn of(first: &'g Grid, others: &[&Grid]) -> Joint<'g> {
         let grids = || std::iter::once(first).chain(others.iter().copied());
         // A file says its version once.
-        let version = first.metadata.version();
+        let version = first.version();
         let looks: Vec<Complete> = grids().map(|grid| Complete::of(grid.palette(), version)).collect();
         let combined = (!others.is_empty()).then(|| {
             let mut combined = Combined { cells: vec![0; first.cells().len()], states: Vec::new() };

@@ -3,7 +3,7 @@ use super::joint::Joint;
 use crate::block::BlockState;
 use crate::grid::{Dialect, Grid};
 use crate::io::error::Size;
-use crate::io::{DEFAULT_DATA_VERSION, Encoded, Lost, WriteError, gzip, states};
+use crate::io::{Encoded, Lost, WriteError, gzip, states};
 use crate::nbt::{self, Compound, Compounds, Endian, Part, Source, Tag, View};
 use crate::space::Cell;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -138,8 +138,7 @@ fn palette_tag(mut palettes: Vec<Tag>) -> Option<(String, Tag)> {
 fn root(grid: &Grid) -> Compound {
     let own = grid.metadata.own.as_ref().filter(|own| own.dialect == Dialect::Structure);
     let mut root = own.map(|own| own.tags.clone()).unwrap_or_default();
-    let data_version = grid.metadata.data_version.unwrap_or(DEFAULT_DATA_VERSION);
-    root.insert("DataVersion".to_owned(), Tag::Int(data_version));
+    root.insert("DataVersion".to_owned(), Tag::Int(grid.data_version()));
     root.insert("size".to_owned(), ints(grid.size().to_array()));
     root.insert("entities".to_owned(), entities::write(grid));
     root.extend(author(grid).map(|author| ("author".to_owned(), Tag::String(author.clone()))));
