@@ -1,4 +1,5 @@
 use super::family::materials;
+use super::suggest::closest;
 use super::{BlockState, DYES, Family, all, known};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -24,6 +25,11 @@ pub fn counterpart(state: &BlockState, from: &str, to: &str) -> Option<BlockStat
 /// Whether `name` is that of a material, as `oak` and `stone` are: there is more than one block of it.
 pub fn is_material(name: &str) -> bool {
     all_materials().contains(name)
+}
+
+/// The material whose name is closest to `name`, if one is close enough to have been meant.
+pub(super) fn suggest_material(name: &str) -> Option<&'static str> {
+    closest(name, all_materials().iter().copied())
 }
 
 /// The material that is called `name`, or whose member is.

@@ -27,6 +27,7 @@ pub use bedrock::bedrock_state;
 pub use boxes::{Cuboid, boxes};
 pub use color::{Rgba, color};
 pub use completion::{complete_in, filled_in, is_complete};
+use counterpart::suggest_material;
 pub use counterpart::{counterpart, is_material};
 pub use facing::Facing;
 pub use family::Family;

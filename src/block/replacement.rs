@@ -1,6 +1,6 @@
 use super::{
     BadBlockState, BadProperty, BlockState, Version, check, complete, counterpart, is_material, known,
-    suggest, translated,
+    suggest, suggest_material, translated,
 };
 use std::str::FromStr;
 
@@ -35,7 +35,9 @@ pub enum BadReplacement {
 }
 
 fn meant(name: &str) -> String {
-    suggest(name).map_or(String::new(), |meant| format!(": did you mean `{meant}`?"))
+    suggest(name)
+        .or_else(|| suggest_material(name))
+        .map_or(String::new(), |meant| format!(": did you mean `{meant}`?"))
 }
 
 impl Replacement {
@@ -196,7 +198,9 @@ mod tests {
             ),
             ("stone=oak_log[axis=w]", "`oak_log` cannot have axis=w: axis is one of x, y, z"),
             ("oak_log[axis=w]=stone", "`oak_log` cannot have axis=w: axis is one of x, y, z"),
-            ("ok=spruce", "there is no block or material `ok`"),
+            ("sprce=oak", "there is no block or material `sprce`: did you mean `spruce`?"),
+            ("oak=sprice", "there is no block or material `sprice`: did you mean `spruce`?"),
+            ("nonsensical=spruce", "there is no block or material `nonsensical`"),
             (
                 "oak_planks=spruce",
                 "`oak_planks` is a block, but `spruce` is a material: name the block to put in its place, as in \

@@ -3,8 +3,13 @@ use super::known::all;
 /// The block of the game whose name is closest to `name`, if one is close enough to have been meant.
 pub fn suggest(name: &str) -> Option<&'static str> {
     let name = name.strip_prefix("minecraft:").unwrap_or(name);
+    closest(name, all().iter().map(|known| known.name()))
+}
+
+/// The one of the sorted `names` that is closest to `name`, if it is close enough to have been meant.
+pub(super) fn closest(name: &str, names: impl Iterator<Item = &'static str>) -> Option<&'static str> {
     let most = name.len().div_ceil(4).max(1);
-    let distances = all().iter().map(|known| (distance(name, known.name()), known.name()));
+    let distances = names.map(|other| (distance(name, other), other));
     // Names are sorted, and `min_by_key` keeps the first of equals: the answer is always the same.
     distances.filter(|&(d, _)| d <= most).min_by_key(|&(d, _)| d).map(|(_, name)| name)
 }

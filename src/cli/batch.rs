@@ -2,7 +2,8 @@
 
 use super::failure::Failure;
 use super::input::{self, Limit, Reading};
-use super::output::{self, Kind, Writing};
+use super::kind::written;
+use super::output::{self, Inputs, Kind, Output, Writing};
 use super::progress::Progress;
 use super::report;
 use super::summary::{self, Summary};
@@ -11,14 +12,25 @@ use crate::grid::Grid;
 use crate::io::{Content, Format};
 use std::path::{Path, PathBuf};
 
+/// What an output may be, for help texts.
+pub const OUTPUT: &str = concat!(
+    "What to write: ",
+    written!(),
+    ", or - for standard output. {name} and {number} stand for the name of each input without its ending, and for its number"
+);
+
+/// What a building was written as.
+struct Written {
+    outputs: Vec<Output>,
+    what: String,
+}
+
 /// Files to read, and what to write.
 #[derive(clap::Args)]
 pub struct Batch {
-    /// What to read, or - for standard input. Its content tells what it is, not its name
-    #[arg(required = true)]
+    #[arg(required = true, help = input::FILES)]
     pub inputs: Vec<PathBuf>,
-    /// What to write: .schem, .litematic, .nbt, .vox, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
-    /// input without its ending, and for its number
+    #[arg(help = OUTPUT)]
     pub output: Template,
     #[command(flatten)]
     pub limit: Limit,
@@ -37,13 +49,16 @@ impl Batch {
         let inputs = input::paths(&self.inputs)?;
         let outputs = self.output.of_inputs(&inputs)?;
         outputs.iter().take(1).try_for_each(|output| self.writing.kind(output).map(drop))?;
+        let read = Inputs::of(&inputs);
         let progress = Progress::new(inputs.len());
         let (mut summary, mut failures) = (Summary::default(), Vec::new());
         for (input, output) in inputs.iter().zip(&outputs) {
             let made = self.content(input, output, reading);
             let made = made.and_then(|content| work(&input::name(input), content));
-            match made.and_then(|made| self.write(input, output, made, &inputs)) {
-                Ok(what) => summary.add(output, what),
+            match made.and_then(|made| self.write(input, output, made, &read)) {
+                Ok(Written { outputs, what }) => {
+                    summary.add_pieces(&self.writing.pieces(output, &outputs), what);
+                }
                 Err(Failure::Pipe) => return Err(Failure::Pipe),
                 Err(failure) => failures.push(failure),
             }
@@ -79,13 +94,7 @@ impl Batch {
     }
 
     /// Writes one building; gives back what it is in a few words.
-    fn write(
-        &self,
-        input: &Path,
-        output: &Path,
-        made: Content,
-        inputs: &[PathBuf],
-    ) -> Result<String, Failure> {
+    fn write(&self, input: &Path, output: &Path, made: Content, inputs: &Inputs) -> Result<Written, Failure> {
         let (outputs, what) = match made {
             Content::Grid(grid) => {
                 let what = summary::building(&grid, self.writing.split);
@@ -101,8 +110,8 @@ impl Batch {
                 return Err(failure.hint("learn a grammar from them with `vox infer`, then run it"));
             }
         };
-        output::write(&outputs, inputs)?;
-        Ok(what)
+        output::write_beside(&outputs, inputs)?;
+        Ok(Written { outputs, what })
     }
 }
 

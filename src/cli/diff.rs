@@ -23,9 +23,9 @@ Examples:
 
 Exit codes: 0 the buildings are the same, 1 they are not, 2 a file cannot be read.")]
 pub struct Args {
-    /// A schematic, or - for standard input
+    #[arg(help = input::BUILDINGS)]
     old: PathBuf,
-    /// The other schematic
+    /// The other building
     new: PathBuf,
     /// Print as JSON
     #[arg(long)]

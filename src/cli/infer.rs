@@ -20,8 +20,7 @@ Examples:
   vox infer house*.schem -o village.grammar --dot village.dot
   vox infer house1.obj house2.obj --scale 3 -o houses.grammar")]
 pub struct Args {
-    /// Schematics, or OBJ files of labelled boxes (`o name`); - for standard input
-    #[arg(required = true)]
+    #[arg(required = true, help = input::FILES)]
     examples: Vec<PathBuf>,
     /// Where to write the grammar; standard output if not given
     #[arg(short, long, value_name = "FILE", default_value = "-")]

@@ -11,6 +11,27 @@ use crate::run::{Library, RunError};
 use crate::space::Bounds;
 use std::path::{Path, PathBuf};
 
+/// The kinds of files that hold blocks, by their endings.
+macro_rules! with_blocks {
+    () => {
+        "What to read: .schem, .litematic, .nbt, .schematic, .mcstructure, .blueprint, .bp, .vox, .mca or the folder \
+         of a world"
+    };
+}
+
+/// What is told of them beside.
+macro_rules! by_content {
+    () => {
+        ", or - for standard input. The content tells what it is, not the name"
+    };
+}
+
+/// What a command reads that needs blocks, for help texts.
+pub const BUILDINGS: &str = concat!(with_blocks!(), by_content!());
+
+/// What a command reads that takes labelled boxes as well.
+pub const FILES: &str = concat!(with_blocks!(), ", .obj of labelled boxes (`o name`)", by_content!());
+
 /// The files that the arguments name: a pattern that the shell left alone is looked up here.
 pub fn paths(args: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     let mut paths = Vec::new();

@@ -11,7 +11,8 @@ use std::path::PathBuf;
 
 /// List the items that buildings take: what to gather before you build
 ///
-/// A door, a bed and a tall plant count once, a double slab twice. Of several files, the list is for all together.
+/// A door, a bed and a tall plant count once, a double slab twice; item frames and armour stands with what they hold. What
+/// is in chests does not count. Of several files, the list is for all together.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -20,8 +21,7 @@ Examples:
 
 A box is a shulker box of 27 stacks.")]
 pub struct Args {
-    /// Schematics, or - for standard input
-    #[arg(required = true)]
+    #[arg(required = true, help = input::BUILDINGS)]
     files: Vec<PathBuf>,
     /// Print as JSON
     #[arg(long)]
@@ -31,24 +31,67 @@ pub struct Args {
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    let mut totals = BTreeMap::new();
+    let mut needed = Needed::default();
     for path in input::paths(&args.files)? {
-        add(&mut totals, &input::grid(&path, &args.limit.reading())?);
+        needed.add(&input::grid(&path, &args.limit.reading())?);
     }
-    let mut items: Vec<(String, u64)> = totals.into_iter().collect();
-    // The sort keeps the order of names among equals.
-    items.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let items = needed.sorted();
     match args.json {
-        true => print_json(&items),
-        false => output::stdout(text(&items).as_bytes()),
+        true => print_json(&items, &needed),
+        false => output::stdout(text(&items, &needed).as_bytes()),
     }
 }
 
-fn add(totals: &mut BTreeMap<String, u64>, grid: &Grid) {
-    for (state, cells) in grid.counts() {
-        for (item, count) in block::items(state) {
-            *totals.entry(item).or_insert(0) += cells * count;
+/// What buildings take.
+#[derive(Default)]
+struct Needed {
+    items: BTreeMap<String, u64>,
+    /// Item frames, armour stands and the like, whose items are among the others.
+    entities: u64,
+    /// Animals and what else no item puts down.
+    left_out: u64,
+}
+
+impl Needed {
+    fn add(&mut self, grid: &Grid) {
+        for (state, cells) in grid.counts() {
+            block::items(state).into_iter().for_each(|(item, count)| self.add_item(item, cells * count));
         }
+        for entity in &grid.metadata.entities {
+            match entity.items() {
+                Some(items) => {
+                    self.entities += 1;
+                    items.into_iter().for_each(|(item, count)| self.add_item(item, count));
+                }
+                None => self.left_out += 1,
+            }
+        }
+    }
+
+    fn add_item(&mut self, item: String, count: u64) {
+        *self.items.entry(item).or_insert(0) += count;
+    }
+
+    /// The items, those that most are needed of first.
+    fn sorted(&self) -> Vec<(String, u64)> {
+        let mut items: Vec<(String, u64)> =
+            self.items.iter().map(|(item, count)| (item.clone(), *count)).collect();
+        // The sort keeps the order of names among equals.
+        items.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        items
+    }
+
+    /// What is to be said of entities, one line each.
+    fn notes(&self) -> impl Iterator<Item = String> {
+        let counted_in = |count| {
+            let entities = counted(count, "entity is", "entities are");
+            format!("{entities} counted with what they hold (item frames, armour stands, ..)")
+        };
+        let out = |count| {
+            format!("{} left out, which no item puts down", counted(count, "entity is", "entities are"))
+        };
+        let notes = [(self.entities, counted_in(self.entities)), (self.left_out, out(self.left_out))];
+        notes.into_iter().filter(|(count, _)| *count > 0).map(|(_, note)| note)
     }
 }
 
@@ -56,21 +99,27 @@ fn total(items: &[(String, u64)]) -> u64 {
     items.iter().map(|(_, count)| count).sum()
 }
 
-fn print_json(items: &[(String, u64)]) -> Result<(), Failure> {
+fn print_json(items: &[(String, u64)], needed: &Needed) -> Result<(), Failure> {
     let each = items.iter().map(|(item, count)| {
         let stack = block::stack(item);
         json!({ "item": item, "count": count, "stack": stack, "stacks": count / stack, "rest": count % stack })
     });
-    output::json(&json!({ "items": each.collect::<Vec<_>>(), "total": total(items) }))
+    output::json(&json!({
+        "items": each.collect::<Vec<_>>(),
+        "total": total(items),
+        "entities": needed.entities,
+        "entities_left_out": needed.left_out,
+    }))
 }
 
-fn text(items: &[(String, u64)]) -> String {
+fn text(items: &[(String, u64)], needed: &Needed) -> String {
     let mut text = String::new();
     for (item, count) in items {
         let _ = writeln!(text, "{}", format!("{count:>8}  {item:<32}{}", stacks(item, *count)).trim_end());
     }
     let kinds = counted(items.len() as u64, "kind", "kinds");
     let _ = writeln!(text, "{:>8}  items of {kinds}", total(items));
+    needed.notes().for_each(|note| text += &format!("{note}\n"));
     text
 }
 

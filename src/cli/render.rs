@@ -13,8 +13,7 @@ Examples:
   vox render cottage.schem -o cottage.png
   vox render out/*.schem -o sheet.png --corner south-west")]
 pub struct Args {
-    /// Schematics, or - for standard input
-    #[arg(required = true)]
+    #[arg(required = true, help = input::BUILDINGS)]
     files: Vec<PathBuf>,
     /// The PNG file to write, or - for standard output
     #[arg(short, long, value_name = "FILE")]

@@ -1,4 +1,4 @@
-use super::batch::Batch;
+use super::batch::{Batch, OUTPUT};
 use super::failure::Failure;
 use super::input::Limit;
 use super::output::Writing;
@@ -7,7 +7,7 @@ use super::summary::counted;
 use super::template::Template;
 use crate::block::{self, BlockState, Replacement};
 use crate::grid::Replaced;
-use crate::neighbours::settle;
+use crate::neighbours::{follow, settle};
 use std::path::PathBuf;
 
 /// Replace blocks by others: whole materials, single blocks or states
@@ -26,8 +26,7 @@ The name of a block stands for that block only, with properties for those states
 pub struct Args {
     /// What to read: a file, a pattern in quotes, or - for standard input
     input: PathBuf,
-    /// What to write: .schem, .litematic, .nbt, .vox, .obj or .png, or - for standard output. {name} and {number} stand for the name of each
-    /// input without its ending, and for its number
+    #[arg(help = OUTPUT)]
     output: Template,
     /// What to replace by what: oak=spruce
     #[arg(required = true, value_name = "FROM=TO")]
@@ -42,13 +41,16 @@ pub fn execute(args: Args) -> Result<(), Failure> {
     let Args { input, output, replacements, limit, writing } = args;
     let batch = Batch { inputs: vec![input], output, limit, writing };
     batch.each_grid(|name, mut grid| {
-        let before: Vec<BlockState> = grid.counts().into_iter().map(|(state, _)| state.clone()).collect();
+        let old = grid.clone();
+        let before: Vec<BlockState> = old.counts().into_iter().map(|(state, _)| state.clone()).collect();
         let replaced = grid.replace(&replacements).map_err(|error| Failure::of_file(name, error))?;
         if replaced.blocks.iter().all(|count| *count == 0) {
             return Err(missed(name, &before, &replacements[0]));
         }
-        // What the old blocks could not say of the new ones their neighbours do.
-        settle(&mut grid).map_err(|error| Failure::of_file(name, error))?;
+        // What the old blocks could not say of the new ones their neighbours do, and the other way round.
+        settle(&mut grid)
+            .and_then(|()| follow(&old, &mut grid))
+            .map_err(|error| Failure::of_file(name, error))?;
         tell(name, &before, &replacements, &replaced);
         Ok(grid)
     })

@@ -6,23 +6,45 @@ use std::path::{Path, PathBuf};
 /// What a command has written, for the one line that tells of it. Standard output is not told of: who reads it knows.
 #[derive(Debug, Default)]
 pub struct Summary {
-    files: Vec<(PathBuf, String)>,
+    written: Vec<Written>,
+}
+
+/// A building in its files.
+#[derive(Debug)]
+struct Written {
+    files: usize,
+    first: PathBuf,
+    last: PathBuf,
+    what: String,
 }
 
 impl Summary {
     pub fn add(&mut self, path: &Path, what: String) {
-        if !is_stdio(path) {
-            self.files.push((path.to_owned(), what));
+        self.add_pieces(&[path], what);
+    }
+
+    /// Adds a building that was written in pieces, of which there is at least one.
+    pub fn add_pieces(&mut self, paths: &[&Path], what: String) {
+        let (Some(first), Some(last)) = (paths.first(), paths.last()) else { return };
+        if !is_stdio(first) {
+            let (first, last) = (first.to_path_buf(), last.to_path_buf());
+            self.written.push(Written { files: paths.len(), first, last, what });
         }
     }
 
     pub fn tell(&self) {
-        match self.files.as_slice() {
+        let count: usize = self.written.iter().map(|written| written.files).sum();
+        match self.written.as_slice() {
             [] => {}
-            [(path, what)] => report::note(&format!("wrote {}: {what}", path.display())),
-            [(first, _), .., (last, _)] => {
-                let count = self.files.len();
-                report::note(&format!("wrote {count} files, {} to {}", first.display(), last.display()));
+            [Written { files: 1, first, what, .. }] => {
+                report::note(&format!("wrote {}: {what}", first.display()))
+            }
+            [Written { first, last, what, .. }] => {
+                report::note(&format!("wrote {} to {}: {what}", first.display(), last.display()));
+            }
+            [first, .., last] => {
+                let (first, last) = (first.first.display(), last.last.display());
+                report::note(&format!("wrote {count} files, {first} to {last}"));
             }
         }
     }

@@ -10,6 +10,7 @@ mod era;
 mod labelled;
 mod metadata;
 mod oddity;
+mod placed;
 mod replace;
 mod split;
 mod turn;

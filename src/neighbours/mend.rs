@@ -35,23 +35,62 @@ impl fmt::Display for Mended {
     }
 }
 
+/// What was mended, and what was not for want of knowledge.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Mending {
+    pub mended: Mended,
+    /// Blocks that depend on what lies past the border, or in cells left alone.
+    pub border: Places,
+    /// Blocks that nothing is known of.
+    pub unknown: Places,
+}
+
+/// How many places there are, and the first of them.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Places {
+    pub count: usize,
+    pub first: Vec<Cell>,
+}
+
+impl Places {
+    fn add(&mut self, cell: Cell) {
+        const SHOWN: usize = 3;
+        self.count += 1;
+        if self.first.len() < SHOWN {
+            self.first.push(cell);
+        }
+    }
+}
+
 /// Mends the grid and its variants. What lies beside cells left alone and past the border is not known: sides that
 /// face it stay as they are.
-pub fn mend(grid: &mut Grid) -> Result<Mended, PaletteFull> {
-    let mut mended = Mended::default();
+pub fn mend(grid: &mut Grid) -> Result<Mending, PaletteFull> {
+    let mut mending = Mending::default();
     let mut variants = std::mem::take(&mut grid.variants);
     for grid in variants.iter_mut().chain([&mut *grid]) {
         settle(grid)?;
-        mended.halves += halves(grid)?;
-        mended.chests += chests(grid)?;
-        joints(grid, &mut mended)?;
+        halves(grid, &mut mending)?;
+        chests(grid, &mut mending)?;
+        joints(grid, &mut mending)?;
+        unknown(grid).into_iter().for_each(|cell| mending.unknown.add(cell));
     }
     grid.variants = variants;
-    Ok(mended)
+    Ok(mending)
+}
+
+/// The cells of blocks that nothing is known of.
+fn unknown(grid: &Grid) -> Vec<Cell> {
+    let states = grid.palette().states().iter();
+    let is_unknown: Vec<bool> = states.map(|state| block::known(state.name()).is_none()).collect();
+    if !is_unknown.contains(&true) {
+        return Vec::new();
+    }
+    let cells = grid.bounds().cells().zip(grid.cells());
+    cells.filter(|(_, id)| is_unknown[usize::from(**id)]).map(|(cell, _)| cell).collect()
 }
 
 /// The cells whose block depends on its neighbours in one of these ways.
-fn cells_of(grid: &Grid, joints: &[Joint]) -> Vec<(Cell, Joint)> {
+pub(super) fn cells_of(grid: &Grid, joints: &[Joint]) -> Vec<(Cell, Joint)> {
     let of = |state| Joint::of(state).filter(|joint| joints.contains(joint));
     let joints: Vec<Option<Joint>> = grid.palette().states().iter().map(of).collect();
     let cells = grid.bounds().cells().zip(grid.cells());
@@ -64,7 +103,7 @@ fn at(grid: &Grid, cell: Cell) -> Option<&BlockState> {
     inside.filter(|state| state.name() != "minecraft:structure_void")
 }
 
-fn put(grid: &mut Grid, cell: Cell, state: &BlockState) -> Result<(), PaletteFull> {
+pub(super) fn put(grid: &mut Grid, cell: Cell, state: &BlockState) -> Result<(), PaletteFull> {
     let id = grid.intern(state)?;
     grid.set(cell, id);
     Ok(())
@@ -76,19 +115,23 @@ fn facing(state: &BlockState) -> Option<Facing> {
 
 /// Gives halves that stand alone their other half where there is room for it, and takes them away where not; makes
 /// halves that belong together say the same.
-fn halves(grid: &mut Grid) -> Result<usize, PaletteFull> {
-    let mut mended = 0;
+fn halves(grid: &mut Grid, mending: &mut Mending) -> Result<(), PaletteFull> {
     for (cell, _) in cells_of(grid, &[Joint::Door, Joint::Plant, Joint::Bed]) {
-        let Some((place, state)) = whole(grid, cell) else { continue };
+        let Some((place, state)) = whole(grid, cell) else {
+            if block::other_half(grid.get(cell)).is_some() {
+                mending.border.add(cell);
+            }
+            continue;
+        };
         if *grid.get(place) != state {
             if place == cell && state.name() != grid.get(cell).name() {
                 grid.block_entities.remove(&cell.to_array());
             }
             put(grid, place, &state)?;
-            mended += 1;
+            mending.mended.halves += 1;
         }
     }
-    Ok(mended)
+    Ok(())
 }
 
 /// What is to stand where, for the half at `cell` to be part of a whole.
@@ -115,34 +158,40 @@ fn agreed(own: &BlockState, other: &BlockState) -> BlockState {
 }
 
 /// Halves of chests whose other half is not there become single, or two such become a pair.
-fn chests(grid: &mut Grid) -> Result<usize, PaletteFull> {
-    let cells = cells_of(grid, &[Joint::Chest]);
-    let odd: Vec<Cell> =
-        cells.into_iter().map(|(cell, _)| cell).filter(|cell| !is_paired(grid, *cell)).collect();
+fn chests(grid: &mut Grid, mending: &mut Mending) -> Result<(), PaletteFull> {
+    let mut odd = Vec::new();
+    for (cell, _) in cells_of(grid, &[Joint::Chest]) {
+        match is_paired(grid, cell) {
+            Some(true) => {}
+            Some(false) => odd.push(cell),
+            None => mending.border.add(cell),
+        }
+    }
     for cell in &odd {
         let open = grid.get(*cell).clone().without("type");
         put(grid, *cell, &open)?;
     }
-    settle(grid)?;
-    Ok(odd.len())
+    mending.mended.chests += odd.len();
+    settle(grid)
 }
 
-/// Whether a chest is single or has its other half, as far as is known.
-fn is_paired(grid: &Grid, cell: Cell) -> bool {
+/// Whether a chest is single or has its other half; `None` where that is not known.
+fn is_paired(grid: &Grid, cell: Cell) -> Option<bool> {
     let own = grid.get(cell);
-    let Some(facing) = facing(own) else { return true };
+    let Some(facing) = facing(own) else { return Some(true) };
     let (side, half) = match own.get("type") {
         Some("left") => (facing.right(), "right"),
         Some("right") => (facing.left(), "left"),
-        _ => return true,
+        _ => return Some(true),
     };
     let is_other = |other: &BlockState| {
         other.name() == own.name() && self::facing(other) == Some(facing) && other.get("type") == Some(half)
     };
-    at(grid, cell + side.step()).is_none_or(is_other)
+    at(grid, cell + side.step()).map(is_other)
 }
 
-const JOINTS: [Joint; 9] = [
+/// What one block can be asked for by itself.
+pub(super) const JOINTS: [Joint; 9] = [
     Joint::Fence,
     Joint::Pane,
     Joint::Wall,
@@ -154,25 +203,34 @@ const JOINTS: [Joint; 9] = [
     Joint::Snowy,
 ];
 
-fn joints(grid: &mut Grid, mended: &mut Mended) -> Result<(), PaletteFull> {
+fn joints(grid: &mut Grid, mending: &mut Mending) -> Result<(), PaletteFull> {
     let cells = cells_of(grid, &JOINTS);
-    let mut asked = grid.clone();
-    for (cell, _) in &cells {
-        put(&mut asked, *cell, &bare(grid.get(*cell)))?;
-    }
-    settle(&mut asked)?;
+    let asked = asked(grid, &cells)?;
     for (cell, joint) in cells {
         let state = known_part(grid, cell, joint, asked.get(cell));
+        if state != *asked.get(cell) && !is_dot(&state, asked.get(cell)) {
+            mending.border.add(cell);
+        }
         if *grid.get(cell) == state || is_dot(grid.get(cell), &state) {
             continue;
         }
         put(grid, cell, &state)?;
         match joint {
-            Joint::Stairs => mended.corners += 1,
-            _ => mended.sides += 1,
+            Joint::Stairs => mending.mended.corners += 1,
+            _ => mending.mended.sides += 1,
         }
     }
     Ok(())
+}
+
+/// The grid with what neighbours ask of these cells, whatever is written there.
+pub(super) fn asked(grid: &Grid, cells: &[(Cell, Joint)]) -> Result<Grid, PaletteFull> {
+    let mut asked = grid.clone();
+    for (cell, _) in cells {
+        put(&mut asked, *cell, &bare(grid.get(*cell)))?;
+    }
+    settle(&mut asked)?;
+    Ok(asked)
 }
 
 /// What is asked of the block at `cell` as far as it depends on cells that are known.

@@ -5,6 +5,7 @@
 //! them stays as it is written. Cells outside of the grid and those left alone count as air.
 
 mod chests;
+mod follow;
 mod halves;
 mod joint;
 mod mend;
@@ -21,8 +22,9 @@ use crate::space::Cell;
 use joint::Joint;
 use site::{Answer, Site};
 
+pub use follow::follow;
 pub use joint::{bare, decided, opened};
-pub use mend::{Mended, mend};
+pub use mend::{Mended, Mending, Places, mend};
 pub use unsettle::unsettle;
 
 /// Gives every open state of the grid and its variants what its neighbours ask for, and every other absent

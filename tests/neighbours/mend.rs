@@ -8,7 +8,7 @@ use vox::space::Cell;
 
 fn mended(grid: &Grid) -> (Grid, Mended) {
     let mut grid = grid.clone();
-    let mended = mend(&mut grid).unwrap();
+    let mended = mend(&mut grid).unwrap().mended;
     (grid, mended)
 }
 
@@ -156,4 +156,30 @@ fn plants_in_water_keep_it_and_grow_in_it() {
     for (states, expected) in cases {
         assert_eq!(column(states), expected, "{states:?}");
     }
+}
+
+#[test]
+fn what_is_not_mended_is_told_with_its_places() {
+    let states = ["oak_fence[east=true,west=true]", "mod:stone", "oak_door[half=upper]", "chest[type=left]"];
+    let mut grid = grid(Cell::new(4, 1, 1), &states);
+    let mending = mend(&mut grid).unwrap();
+    let at = |x| Cell::new(x, 0, 0);
+    // The fence has its west side to the border, the door its lower half below it, the chest its other half.
+    assert_eq!((mending.border.count, mending.border.first), (3, vec![at(2), at(3), at(0)]));
+    assert_eq!((mending.unknown.count, mending.unknown.first), (1, vec![at(1)]));
+}
+
+/// What stands beside a fence whose side to it was written by hand decides nothing unless it asks for something else.
+#[test]
+fn neighbours_of_what_is_replaced_follow_where_it_decides() {
+    let fence = "oak_fence[east=true,north=false,south=false,waterlogged=false,west=false]";
+    let before = grid(Cell::new(3, 1, 1), &["stone", fence, "stone"]);
+    let follow = |rule: &str| {
+        let mut after = before.clone();
+        after.replace(&[rule.parse().unwrap()]).unwrap();
+        vox::neighbours::follow(&before, &mut after).unwrap();
+        after.get(Cell::X).short()
+    };
+    assert_eq!(follow("stone=andesite"), fence, "both ask for a side to the west as stone does");
+    assert_eq!(follow("stone=white_carpet"), fence.replace("east=true", "east=false"));
 }

@@ -20,8 +20,7 @@ Examples:
   vox info cottage.schem
   vox info --json *.schem | jq .blocks")]
 pub struct Args {
-    /// Schematics or OBJ files, or - for standard input
-    #[arg(required = true)]
+    #[arg(required = true, help = input::FILES)]
     files: Vec<PathBuf>,
     /// Blocks per unit of OBJ coordinates
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
@@ -31,6 +30,9 @@ pub struct Args {
     /// Print as JSON, one line a file
     #[arg(long)]
     json: bool,
+    /// List all block states, not only the most frequent ones; JSON always has all
+    #[arg(long)]
+    all: bool,
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
@@ -54,7 +56,15 @@ fn tell(path: &Path, args: &Args, reading: &Reading) -> Result<(), Failure> {
     let notes = notes(path, &decoded);
     match args.json {
         true => output::json(&json::of(&name, &decoded, &notes)),
-        false => output::stdout(text::of(&name, &decoded, &notes).as_bytes()),
+        false => output::stdout(text::of(&name, &decoded, &notes, args.shown()).as_bytes()),
+    }
+}
+
+impl Args {
+    /// How many block states are listed.
+    fn shown(&self) -> usize {
+        const MOST: usize = 20;
+        if self.all { usize::MAX } else { MOST }
     }
 }
 
@@ -84,11 +94,11 @@ fn format_name(format: Format) -> String {
 type Counts = BTreeMap<String, u64>;
 
 fn block_entities(grid: &Grid) -> Counts {
-    counted(grid.block_entities.values().map(id))
+    tally(grid.block_entities.values().map(id))
 }
 
 fn entities(grid: &Grid) -> Counts {
-    counted(grid.metadata.entities.iter().map(|Entity { data, .. }| id(data)))
+    tally(grid.metadata.entities.iter().map(|Entity { data, .. }| id(data)))
 }
 
 /// How many columns or cells each biome has.
@@ -96,16 +106,16 @@ fn biomes(grid: &Grid) -> Counts {
     let Some(biomes) = &grid.metadata.biomes else { return Counts::new() };
     let name = |id: &u16| biomes.names.get(usize::from(*id)).map_or("unknown", String::as_str).to_owned();
     match &biomes.map {
-        BiomeMap::Columns(columns) => counted(columns.iter().map(name)),
-        BiomeMap::Cells(cells) => counted(cells.iter().map(name)),
+        BiomeMap::Columns(columns) => tally(columns.iter().map(name)),
+        BiomeMap::Cells(cells) => tally(cells.iter().map(name)),
     }
 }
 
 fn labels(boxes: &LabelledBoxes) -> Counts {
-    counted(boxes.boxes.iter().map(|labelled| labelled.label.clone()))
+    tally(boxes.boxes.iter().map(|labelled| labelled.label.clone()))
 }
 
-fn counted(names: impl Iterator<Item = String>) -> Counts {
+fn tally(names: impl Iterator<Item = String>) -> Counts {
     let mut counts = Counts::new();
     names.for_each(|name| *counts.entry(name).or_insert(0) += 1);
     counts

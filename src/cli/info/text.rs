@@ -6,15 +6,15 @@ use crate::io::{About, Content, Decoded};
 use crate::space::Cell;
 use std::fmt::Write;
 
-/// What `vox info` prints of a file.
-pub(super) fn of(name: &str, decoded: &Decoded, notes: &[String]) -> String {
+/// What `vox info` prints of a file, with as many block states as are to be `shown`.
+pub(super) fn of(name: &str, decoded: &Decoded, notes: &[String], shown: usize) -> String {
     let mut text = format!("{name}\n");
     line(&mut text, "format", &format(&decoded.about));
     if let Some(Cell { x, y, z }) = decoded.about.place {
         line(&mut text, "in its world", &format!("from {x}, {y}, {z}"));
     }
     match &decoded.content {
-        Content::Grid(grid) => of_grid(&mut text, grid, notes),
+        Content::Grid(grid) => of_grid(&mut text, grid, notes, shown),
         Content::Boxes(boxes) => of_boxes(&mut text, boxes, notes),
     }
     text
@@ -35,7 +35,7 @@ fn line(text: &mut String, label: &str, value: &str) {
     let _ = writeln!(text, "  {label:<15}{value}");
 }
 
-fn of_grid(text: &mut String, grid: &Grid, notes: &[String]) {
+fn of_grid(text: &mut String, grid: &Grid, notes: &[String], shown: usize) {
     let metadata = &grid.metadata;
     let version = metadata.data_version.map_or("not said".to_owned(), game);
     line(text, "size", &size(grid.size()));
@@ -65,8 +65,11 @@ fn of_grid(text: &mut String, grid: &Grid, notes: &[String]) {
     notes.iter().for_each(|note| line(text, "odd", note));
     let counted = grid.counts();
     line(text, "block states", &counted.len().to_string());
-    for (state, count) in counted {
+    for (state, count) in counted.iter().take(shown) {
         let _ = writeln!(text, "  {count:>10}  {}", state.short());
+    }
+    if let Some(more @ 1..) = counted.len().checked_sub(shown) {
+        let _ = writeln!(text, "  {:>10}  and {more} more: `--all` lists them", "..");
     }
 }
 
