@@ -89,12 +89,14 @@ impl Writing {
     /// The files of a grid.
     pub fn grid(&self, path: &Path, grid: Grid) -> Result<Vec<Output>, Failure> {
         let (kind, name) = (self.kind(path)?, path.display().to_string());
-        let grid = self.prepared(&name, grid)?;
+        let mut grid = self.prepared(&name, grid)?;
         let Some(edge) = self.split else {
             let (outputs, lost) = encoding::encoded(self, kind, path, &grid)?;
             tell_lost(&name, &lost);
             return Ok(outputs);
         };
+        // All pieces say the version of the whole.
+        grid.metadata.data_version = Some(grid.data_version());
         let (mut outputs, mut all_lost) = (Vec::new(), Vec::new());
         for (number, piece) in grid.pieces(edge) {
             let (piece, lost) = encoding::encoded(self, kind, &piece_path(path, number)?, &piece)?;

@@ -6,21 +6,27 @@ use ndarray::{ArrayView2, ArrayView3, s};
 impl Grid {
     /// The part of this build inside `bounds`, with all that is in it. The point of copying stays where it is.
     pub fn cropped(&self, bounds: Bounds) -> Grid {
-        self.cropped_with(bounds, |entity| bounds.contains(entity.home()))
+        let inside = self.metadata.entities.iter().filter(|entity| bounds.contains(entity.home()));
+        self.cropped_with(bounds, inside)
     }
 
     /// This build without the air around it: nothing else is lost, also not what hangs outside of its walls. `None` where
     /// all is air or left alone.
     pub fn trimmed(&self) -> Option<Grid> {
-        Some(self.cropped_with(self.occupied()?, |_| true))
+        Some(self.cropped_with(self.occupied()?, &self.metadata.entities))
     }
 
-    /// The part of this build inside `bounds`, with the entities that are `kept`.
-    pub(super) fn cropped_with(&self, bounds: Bounds, kept: impl Fn(&Entity) -> bool) -> Grid {
+    /// The part of this build inside `bounds`, with these of its entities.
+    pub(super) fn cropped_with<'a>(
+        &self,
+        bounds: Bounds,
+        entities: impl IntoIterator<Item = &'a Entity>,
+    ) -> Grid {
         let inside = self.bounds().intersect(&bounds);
         let bounds = Bounds::new(inside.min.min(inside.max), inside.max);
         let (cells, palette) = compacted(part(self.cells.view(), bounds), &self.palette);
-        let block_entities = self.block_entities.iter().filter_map(|(place, data)| {
+        let slice = [bounds.min.x, i32::MIN, i32::MIN]..[bounds.max.x, i32::MIN, i32::MIN];
+        let block_entities = self.block_entities.range(slice).filter_map(|(place, data)| {
             let place = Cell::from_array(*place);
             bounds.contains(place).then(|| ((place - bounds.min).to_array(), data.clone()))
         });
@@ -28,7 +34,7 @@ impl Grid {
             cells,
             palette,
             block_entities: block_entities.collect(),
-            metadata: cropped_metadata(&self.metadata, bounds, kept),
+            metadata: cropped_metadata(&self.metadata, bounds, entities),
             variants: self.variants.iter().map(|variant| variant.cropped(bounds)).collect(),
         }
     }
@@ -85,8 +91,12 @@ fn compacted(cells: ArrayView3<u16>, palette: &Palette) -> (ndarray::Array3<u16>
     (cells, small)
 }
 
-fn cropped_metadata(old: &Metadata, bounds: Bounds, kept: impl Fn(&Entity) -> bool) -> Metadata {
-    let entities = old.entities.iter().filter(|entity| kept(entity));
+fn cropped_metadata<'a>(
+    old: &Metadata,
+    bounds: Bounds,
+    entities: impl IntoIterator<Item = &'a Entity>,
+) -> Metadata {
+    let entities = entities.into_iter();
     Metadata {
         data_version: old.data_version,
         offset: old.offset.saturating_add(bounds.min),

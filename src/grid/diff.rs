@@ -83,21 +83,42 @@ fn changed(a: &BTreeMap<[i32; 3], Compound>, b: &BTreeMap<[i32; 3], Compound>) -
 
 /// The entities of `a` that `b` has no equal of, or not as many.
 fn only_in(a: &Grid, b: &Grid) -> Vec<Entity> {
-    let mut others: Vec<&Entity> = b.metadata.entities.iter().collect();
-    let is_alone = |entity: &&Entity| match others.iter().position(|other| is_same(other, entity)) {
-        Some(at) => {
-            others.swap_remove(at);
-            false
-        }
-        None => true,
+    let mut others: BTreeMap<[i64; 3], Vec<&Entity>> = BTreeMap::new();
+    for other in &b.metadata.entities {
+        others.entry(block_of(other.place)).or_default().push(other);
+    }
+    let mut is_alone = |entity: &&Entity| {
+        let around = blocks_around(entity.place);
+        !around.into_iter().any(|block| others.get_mut(&block).is_some_and(|there| take(there, entity)))
     };
-    a.metadata.entities.iter().filter(is_alone).cloned().collect()
+    a.metadata.entities.iter().filter(|entity| is_alone(entity)).cloned().collect()
+}
+
+/// Takes the equal of `entity` out; whether there was one.
+fn take(others: &mut Vec<&Entity>, entity: &Entity) -> bool {
+    let found = others.iter().position(|other| is_same(other, entity));
+    found.map(|at| others.swap_remove(at)).is_some()
 }
 
 /// Formats count places from different points, so sums round.
+const NEAR: f64 = 1e-6;
+
 fn is_same(a: &Entity, b: &Entity) -> bool {
-    const NEAR: f64 = 1e-6;
     a.data == b.data && a.place.iter().zip(b.place).all(|(a, b)| (a - b).abs() < NEAR)
+}
+
+/// The block that a place is in.
+fn block_of(place: [f64; 3]) -> [i64; 3] {
+    place.map(|n| n.floor() as i64)
+}
+
+/// The blocks that the place of an equal may be in: on the line between two it is in either.
+fn blocks_around(place: [f64; 3]) -> BTreeSet<[i64; 3]> {
+    let corners = (0..8).map(|corner| {
+        let off = |axis: usize| if corner >> axis & 1 == 0 { -NEAR } else { NEAR };
+        block_of([place[0] + off(0), place[1] + off(1), place[2] + off(2)])
+    });
+    corners.collect()
 }
 
 /// A single region is one whole by another name.

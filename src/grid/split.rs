@@ -1,14 +1,24 @@
 use super::{Entity, Grid};
 use crate::space::{Bounds, Cell};
+use std::collections::BTreeMap;
 
 impl Grid {
     /// The pieces of this build in [`Grid::boxes`]. An entity outside of the build goes with the nearest of them.
     pub fn pieces(&self, edge: u16) -> impl Iterator<Item = (Cell, Grid)> {
-        let last = self.size() - 1;
+        let mut entities = self.entities_by_piece(edge);
         self.boxes(edge).map(move |(number, bounds)| {
-            let is_here = |entity: &Entity| bounds.contains(entity.home().min(last).max(Cell::ZERO));
-            (number, self.cropped_with(bounds, is_here))
+            (number, self.cropped_with(bounds, entities.remove(&number.to_array()).unwrap_or_default()))
         })
+    }
+
+    fn entities_by_piece(&self, edge: u16) -> BTreeMap<[i32; 3], Vec<&Entity>> {
+        let (last, edge) = (self.size() - 1, i32::from(edge.max(1)));
+        let mut by_piece: BTreeMap<[i32; 3], Vec<&Entity>> = BTreeMap::new();
+        for entity in &self.metadata.entities {
+            let number = entity.home().min(last).max(Cell::ZERO) / edge;
+            by_piece.entry(number.to_array()).or_default().push(entity);
+        }
+        by_piece
     }
 
     /// Boxes of at most `edge` blocks along each axis that make up this build: each with its number along x, y and z.

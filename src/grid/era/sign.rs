@@ -58,7 +58,7 @@ fn lower(data: &mut Compound, kept: &mut Kept) {
             }
         }
     }
-    match tags::inner(data, "back_text").is_some_and(|back| is_written(back)) {
+    match tags::inner(data, "back_text").is_some_and(is_written) {
         true => kept.add("written back of a sign"),
         false => drop(data.remove("back_text")),
     }
