@@ -1,6 +1,8 @@
 //! MagicaVoxel models: written and read, scenes with turns, another reader's opinion, and damage.
 
-use super::examples::magica::{chunk, colors, file, group, model, numbers, scene, shape, transform};
+use super::examples::magica::{
+    chunk, colors, dictionary, file, group, model, numbers, scene, shape, transform,
+};
 use super::{read, read_grid};
 use ndarray::Array3;
 use proptest::collection::vec;
@@ -168,6 +170,28 @@ fn later_frames_and_voxels_outside_are_left_out_with_a_word() {
     let decoded = read(&frames).unwrap();
     assert_eq!(decoded.warnings, [Warning::FramesLater(1), Warning::VoxelsOutside(1)]);
     assert_eq!(read_grid(&frames).bounds(), Bounds::of_size(Cell::ONE));
+}
+
+#[test]
+fn later_frames_of_a_scene_are_left_out_with_a_word() {
+    let key = |frame: &str| dictionary(&[("_f", frame)]);
+    let moves = [numbers(&[0]), dictionary(&[]), numbers(&[1, -1, 0, 2]), key("0"), key("7")].concat();
+    let three =
+        [numbers(&[1]), dictionary(&[]), numbers(&[3, 1]), key("0"), numbers(&[0]), key("3")].concat();
+    let voxel = [[0, 0, 0, 1]];
+    // Of the three frames that the last number promises, two are there.
+    let scene = |shape: &[u8]| {
+        file(&[
+            model([1, 1, 1], &voxel),
+            model([2, 1, 1], &voxel),
+            chunk("nTRN", &moves),
+            chunk("nSHP", shape),
+        ])
+    };
+    assert_eq!(read(&scene(&three)).unwrap().warnings, [Warning::FramesLater(1)]);
+    assert_eq!(read_grid(&scene(&three)).bounds(), Bounds::of_size(Cell::new(2, 1, 1)));
+    let whole = [three, numbers(&[1]), key("9")].concat();
+    assert_eq!(read(&scene(&whole)).unwrap().warnings, [Warning::FramesLater(2)]);
 }
 
 #[test]

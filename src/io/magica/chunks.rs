@@ -26,8 +26,13 @@ pub(super) struct Model<'a> {
 pub(super) enum Node<'a> {
     Transform(Transform<'a>),
     Group(Vec<u32>),
+    Shape(Shape),
+}
+
+pub(super) struct Shape {
     /// The model of the first frame.
-    Shape(Option<u32>),
+    pub model: Option<u32>,
+    pub later_frames: usize,
 }
 
 pub(super) struct Transform<'a> {
@@ -37,6 +42,18 @@ pub(super) struct Transform<'a> {
     /// Those of the first frame.
     pub rotation: Option<Cow<'a, str>>,
     pub translation: Option<Cow<'a, str>>,
+    pub later_frames: usize,
+}
+
+impl Node<'_> {
+    pub fn later_frames(&self) -> usize {
+        match self {
+            Node::Transform(Transform { later_frames, .. }) | Node::Shape(Shape { later_frames, .. }) => {
+                *later_frames
+            }
+            Node::Group(_) => 0,
+        }
+    }
 }
 
 pub(super) fn parse(bytes: &[u8]) -> Result<File<'_>, MagicaError> {
@@ -150,10 +167,7 @@ impl<'a> Reader<'a> {
                     let count = self.number()?;
                     Node::Group((0..count).map(|_| self.number()).collect::<Result<_, _>>()?)
                 }
-                _ => {
-                    let count = self.number()?;
-                    Node::Shape((count > 0).then(|| self.number()).transpose()?)
-                }
+                _ => Node::Shape(self.shape()?),
             },
         ))
     }
@@ -164,6 +178,27 @@ impl<'a> Reader<'a> {
         let layer = self.number()?;
         let frames = self.number()?;
         let [rotation, translation] = if frames > 0 { self.dictionary(["_r", "_t"])? } else { [None, None] };
-        Ok(Transform { child, layer, hidden, rotation, translation })
+        let later_frames = self.later_frames(frames, |frame| frame.dictionary([]).map(|[]| ()));
+        Ok(Transform { child, layer, hidden, rotation, translation, later_frames })
+    }
+
+    fn shape(&mut self) -> Result<Shape, MagicaError> {
+        let frames = self.number()?;
+        let model = (frames > 0).then(|| self.number()).transpose()?;
+        let later_frames = self.later_frames(frames, |frame| {
+            // The attributes of the model before come first.
+            let [] = frame.dictionary([])?;
+            frame.number().map(|_| ())
+        });
+        Ok(Shape { model, later_frames })
+    }
+
+    /// How many of `frames` are there after the first: a count alone says nothing.
+    fn later_frames(
+        &mut self,
+        frames: u32,
+        mut skip: impl FnMut(&mut Self) -> Result<(), MagicaError>,
+    ) -> usize {
+        (1..frames).map_while(|_| skip(self).ok()).count()
     }
 }

@@ -1,5 +1,5 @@
 use super::MagicaError;
-use super::chunks::{File, Model, parse};
+use super::chunks::{File, Model, Node, parse};
 use super::colors::{default_palette, without_alpha};
 use super::paints;
 use super::scene::{Placed, visit};
@@ -23,13 +23,21 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning>), Rea
         outside += fill(&mut grid, bounds.min, &blocks, &file.models[placed.model], &placed);
         Ok(())
     })?;
-    let frames = if file.nodes.is_empty() { file.models.len() - 1 } else { 0 };
+    let frames = later_frames(&file);
     let warnings = [
         (hidden > 0).then_some(Warning::ModelsHidden(hidden)),
         (frames > 0).then_some(Warning::FramesLater(frames)),
         (outside > 0).then_some(Warning::VoxelsOutside(outside)),
     ];
     Ok((grid, warnings.into_iter().flatten().collect()))
+}
+
+/// The frames of an animation after the first. Models without a scene are such; in a scene each part has its own.
+fn later_frames(file: &File) -> usize {
+    match file.nodes.is_empty() {
+        true => file.models.len().saturating_sub(1),
+        false => file.nodes.values().map(Node::later_frames).max().unwrap_or(0),
+    }
 }
 
 /// What the models of a scene come to.

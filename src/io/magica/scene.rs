@@ -71,8 +71,11 @@ pub(super) fn visit(
                 open.push((slice::from_ref(&node.child).iter(), motion.after(motion_of(node)?)))
             }
             Node::Group(children) => open.push((children.iter(), motion)),
-            Node::Shape(None) => {}
-            Node::Shape(Some(model)) => each(place(file, *model, motion)?)?,
+            Node::Shape(shape) => {
+                if let Some(model) = shape.model {
+                    each(place(file, model, motion)?)?;
+                }
+            }
         }
         parts += 1;
         if parts > MOST_PARTS || open.len() > file.nodes.len() + 1 {
