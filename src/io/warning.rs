@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 /// What reading a file had to put right or leave out.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum Warning {
@@ -43,6 +45,8 @@ pub enum Warning {
     TicksDropped(usize),
     #[error("the tags {0} are unknown and are left out")]
     TagsDropped(String),
+    #[error("the tags {0} of chunks have no place in a build and are left out")]
+    ChunkTags(String),
     #[error("Version is {found}, and vox knows those up to {known}: what is new is not understood")]
     NewVersion { found: i32, known: i32 },
     #[error("the block states are those of Minecraft 1.12 and are kept as they stand")]
@@ -67,4 +71,23 @@ pub enum Warning {
     Biomes,
     #[error("{0} bytes follow after the end and are left out")]
     Trailing(u64),
+}
+
+impl Warning {
+    /// `None` where no tag is dropped.
+    pub(super) fn tags_dropped(names: &BTreeSet<String>) -> Option<Warning> {
+        (!names.is_empty()).then(|| Warning::TagsDropped(listed(names)))
+    }
+
+    /// `None` where chunks hold nothing else.
+    pub(super) fn chunk_tags(names: &BTreeSet<String>) -> Option<Warning> {
+        (!names.is_empty()).then(|| Warning::ChunkTags(listed(names)))
+    }
+}
+
+/// The first few of `names`, which a file may hold any number of.
+fn listed(names: &BTreeSet<String>) -> String {
+    const SHOWN: usize = 8;
+    let shown: Vec<&str> = names.iter().take(SHOWN).map(String::as_str).collect();
+    shown.join(", ") + if names.len() > SHOWN { ", ..." } else { "" }
 }

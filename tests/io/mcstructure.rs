@@ -163,11 +163,16 @@ fn what_is_left_out_is_told() {
     let palette = ["minecraft:stone", "minecraft:snow_layer", "minecraft:water"].map(|name| block(name, []));
     let mut structure = Structure::of([3, 1, 1], [&[0, -1, 0], &[1, 2, -1]], palette.to_vec());
     let ticks = Tag::List(vec![compound([]), compound([])]);
-    structure.data = tags([("0", compound([("tick_queue_data", ticks)]))]);
+    structure.data = tags([("0", compound([("tick_queue_data", ticks), ("mod:heat", Tag::Int(3))]))]);
     let mut bytes = structure.file();
     bytes.extend([0; 7]);
-    let expected =
-        [Warning::WaterDropped(1), Warning::SecondLayer(1), Warning::TicksDropped(2), Warning::Trailing(7)];
+    let expected = [
+        Warning::WaterDropped(1),
+        Warning::SecondLayer(1),
+        Warning::TicksDropped(2),
+        Warning::TagsDropped("structure.palette.default.block_position_data.<cell>.mod:heat".into()),
+        Warning::Trailing(7),
+    ];
     assert_eq!(read(&bytes).unwrap().warnings, expected);
 }
 

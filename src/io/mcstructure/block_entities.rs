@@ -7,6 +7,7 @@ use crate::io::fields::{Fields, FromTag};
 use crate::io::{ReadError, kinds, text, volume};
 use crate::nbt::{Compound, Tag};
 use crate::space::Cell;
+use std::collections::BTreeSet;
 
 /// Ids that are not the Java ones in another spelling.
 const IDS: [(&str, &str); 5] = [
@@ -20,6 +21,9 @@ const IDS: [(&str, &str); 5] = [
 /// Bedrock Edition's own tags of every block entity.
 const PLACE: [&str; 4] = ["x", "y", "z", "isMovable"];
 
+/// The data of a place that vox reads or counts.
+const KNOWN: [&str; 2] = ["block_entity_data", "tick_queue_data"];
+
 /// What of the data of places does not come into the grid as it is.
 #[derive(Default)]
 pub(super) struct Found {
@@ -29,6 +33,8 @@ pub(super) struct Found {
     pub foreign: usize,
     /// Ticks that blocks wait for.
     pub ticks: usize,
+    /// Tags that nothing is known of, whatever their place.
+    pub unknown: BTreeSet<String>,
 }
 
 /// Puts the block entities into `grid`.
@@ -37,6 +43,8 @@ pub(super) fn read(default: &Fields, grid: &mut Grid) -> Result<Found, ReadError
     let Some(places) = default.inner("block_position_data")? else { return Ok(found) };
     for key in places.tags.keys() {
         let Some(data) = places.inner(key)? else { continue };
+        let unknown = data.tags.keys().filter(|name| !KNOWN.contains(&name.as_str()));
+        found.unknown.extend(unknown.map(|name| places.path(&format!("<cell>.{name}"))));
         found.ticks += data.list("tick_queue_data")?.len();
         let Some(fields) = data.inner("block_entity_data")? else { continue };
         match key.parse().ok().and_then(|index| cell_at(index, grid.size())) {

@@ -38,7 +38,8 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     let palette = palette::read(&default)?;
     let (cells, mut warnings) = blocks::read(&structure, size, &palette, limits)?;
     let mut grid = volume::grid(size, cells.numbers, cells.palette);
-    let block_entities::Found { outside, mut foreign, ticks } = block_entities::read(&default, &mut grid)?;
+    let block_entities::Found { outside, mut foreign, ticks, unknown } =
+        block_entities::read(&default, &mut grid)?;
     neighbours::settle(&mut grid).map_err(volume::full(default.path("block_palette")))?;
     grid.metadata = metadata(&root);
     let found = entities(&root, &structure)?;
@@ -48,13 +49,14 @@ pub(super) fn decode(plain: &[u8], limits: &Limits) -> Result<(Grid, Vec<Warning
     warnings.extend((outside > 0).then_some(Warning::BlockEntitiesOutside(outside)));
     warnings.extend((foreign > 0).then_some(Warning::BedrockData(foreign)));
     warnings.extend((ticks > 0).then_some(Warning::TicksDropped(ticks)));
-    warnings.extend(unknown(&structure, &palettes, &default));
+    let dropped = unknown_tags(&structure, &palettes, &default).into_iter().chain(unknown).collect();
+    warnings.extend(Warning::tags_dropped(&dropped));
     warnings.extend((!rest.is_empty()).then_some(Warning::Trailing(rest.len() as u64)));
     Ok((grid, warnings))
 }
 
 /// The tags within the structure that nothing is known of.
-fn unknown(structure: &Fields, palettes: &Fields, default: &Fields) -> Option<Warning> {
+fn unknown_tags(structure: &Fields, palettes: &Fields, default: &Fields) -> Vec<String> {
     let known: [(&Fields, &[&str]); 3] = [
         (structure, &["block_indices", "entities", "palette"]),
         (palettes, &["default"]),
@@ -64,8 +66,7 @@ fn unknown(structure: &Fields, palettes: &Fields, default: &Fields) -> Option<Wa
         let names = fields.tags.keys().filter(|name| !known.contains(&name.as_str()));
         names.map(|name| fields.path(name))
     });
-    let unknown: Vec<String> = unknown.collect();
-    (!unknown.is_empty()).then(|| Warning::TagsDropped(unknown.join(", ")))
+    unknown.collect()
 }
 
 fn check_version(root: &Fields) -> Result<(), ReadError> {
