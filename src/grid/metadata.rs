@@ -39,7 +39,6 @@ pub enum Dialect {
     Mcedit,
     Blueprint,
     Bedrock,
-    Anvil,
     Axiom,
 }
 

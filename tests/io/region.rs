@@ -178,6 +178,45 @@ fn chunks_to_be_left_alone_are_left_out_and_others_have_air() {
 }
 
 #[test]
+fn block_entities_of_chunks_to_be_left_alone_are_lost_with_a_word() {
+    let mut grid = Grid::new(Cell::new(32, 1, 16));
+    let void = grid.intern(&BlockState::structure_void()).unwrap();
+    grid.fill(Bounds::new(Cell::ZERO, Cell::new(16, 1, 16)), void);
+    let chest = tags([("id", Tag::String("minecraft:chest".into()))]);
+    grid.block_entities = [[0, 0, 0], [20, 0, 0]].map(|place| (place, chest.clone())).into();
+    let regions = encode_regions(&grid, Cell::ZERO).unwrap();
+    assert_eq!(regions.lost, [Lost::BlockEntities(1)]);
+    let back = grid_of(read_part(world(&regions).path(), Cell::ZERO, grid.size()).unwrap());
+    assert_eq!(back.block_entities, [([20, 0, 0], chest)].into());
+}
+
+#[test]
+fn what_chunks_hold_beside_a_build_is_told() {
+    let mut root = chunk_1_16([0, 0]);
+    let tick = |y| compound([("x", Tag::Int(1)), ("y", Tag::Int(y)), ("z", Tag::Int(1))]);
+    let empty = || Tag::List(vec![Tag::List(Vec::new())]);
+    let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
+    level.insert("TileTicks".into(), Tag::List(vec![tick(17), tick(200)]));
+    level.insert("Heightmaps".into(), compound([("MOTION_BLOCKING", Tag::LongArray(vec![1]))]));
+    level.insert("PostProcessing".into(), empty());
+    level.insert("Structures".into(), compound([("References", compound([]))]));
+    let Some(Tag::List(sections)) = level.get_mut("Sections") else { panic!("no sections") };
+    let Tag::Compound(section) = &mut sections[1] else { panic!("no section") };
+    section.insert("starlight.skylight_state".into(), Tag::Int(2));
+    let told = |root: &Compound| read(&region(&[([0, 0], root)], 2)).unwrap().warnings;
+    assert_eq!(told(&root), [Warning::BiomesByNumber, Warning::TicksDropped(1)]);
+
+    let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
+    level.insert("ForgeCaps".into(), compound([("mana", Tag::Int(7))]));
+    let Some(Tag::List(sections)) = level.get_mut("Sections") else { panic!("no sections") };
+    let Tag::Compound(section) = &mut sections[1] else { panic!("no section") };
+    section.insert("Colors".into(), Tag::ByteArray(vec![7]));
+    root.insert("ChunkBukkitValues".into(), compound([("a:b", Tag::Int(7))]));
+    let tags = "ChunkBukkitValues, Level.ForgeCaps, Level.Sections[].Colors";
+    assert_eq!(told(&root)[2..], [Warning::ChunkTags(tags.into())]);
+}
+
+#[test]
 fn biomes_stand_for_cubes_of_four() {
     let mut grid = Grid::new(Cell::new(8, 8, 8));
     let names = vec!["minecraft:desert".to_owned(), "minecraft:river".to_owned()];

@@ -27,18 +27,28 @@ pub(super) struct Chunk<'a> {
     pub data_version: Option<i32>,
     /// The compound that holds the blocks.
     body: Fields<'a>,
+    /// The one around it, up to 1.17.
+    around: Option<Fields<'a>>,
 }
 
 impl<'a> Chunk<'a> {
     pub fn of(root: &'a Compound) -> Result<Chunk<'a>, ReadError> {
         let root = Fields::new("", root);
         let data_version = root.find("DataVersion")?;
-        let body = root.inner("Level")?.unwrap_or(root);
+        let (body, around) = match root.inner("Level")? {
+            Some(level) => (level, Some(root)),
+            None => (root, None),
+        };
         let place = match body.find::<&[i32]>("Position")? {
             Some(&[x, z]) => [x, z],
             _ => [body.get("xPos")?, body.get("zPos")?],
         };
-        Ok(Chunk { place, data_version, body })
+        Ok(Chunk { place, data_version, body, around })
+    }
+
+    /// All that tags of the chunk stand in, its lists aside.
+    pub fn compounds(&self) -> impl Iterator<Item = &Fields<'a>> {
+        std::iter::once(&self.body).chain(&self.around)
     }
 
     /// The place of the chunk within its region.

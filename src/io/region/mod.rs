@@ -16,6 +16,7 @@
 
 mod biomes;
 mod chunk;
+mod leftovers;
 mod lz4;
 mod packing;
 mod read;

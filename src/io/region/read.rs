@@ -1,5 +1,6 @@
 use super::biomes::Gathered;
 use super::chunk::{Blocks, Chunk, Column, blocks};
+use super::leftovers::Leftovers;
 use super::section::Section;
 use super::world::World;
 use super::{CHUNK, EDGE, versions};
@@ -56,7 +57,7 @@ fn read(
         misplaced += region.visit(around, limits, &mut |chunk| reading.add(chunk))?;
     }
     for region in &world.entities {
-        misplaced += region.visit(around, limits, &mut |chunk| reading.add_entities(chunk))?;
+        misplaced += region.visit(around, limits, &mut |chunk| reading.add_entity_chunk(chunk))?;
     }
     if wanted.is_some() {
         reading.leave_outsiders();
@@ -111,6 +112,7 @@ struct Reading {
     numbered: Numbered,
     numbered_biomes: usize,
     found: Found,
+    leftovers: Leftovers,
 }
 
 /// What chunks from before Minecraft 1.13 hold.
@@ -133,6 +135,7 @@ impl Reading {
             numbered: Numbered::default(),
             numbered_biomes: 0,
             found: Found::default(),
+            leftovers: Leftovers::default(),
         }
     }
 
@@ -146,7 +149,9 @@ impl Reading {
         self.add_version(column, chunk.states_version(told_by));
         self.numbered.chunks += usize::from(told_by == Blocks::Numbers);
         self.numbered_biomes += usize::from(chunk.has_numbered_biomes());
+        self.leftovers.add(chunk, self.part);
         for (height, fields) in &sections {
+            self.leftovers.add_section(fields);
             self.biomes.add(column.section(*height), fields)?;
         }
         for found in &sections {
@@ -217,6 +222,15 @@ impl Reading {
         Ok(data)
     }
 
+    /// A chunk of those that hold entities alone.
+    fn add_entity_chunk(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
+        let column = Column::at(chunk.place).filter(|column| !column.within(self.part).is_empty());
+        if column.is_some() {
+            self.leftovers.add(chunk, self.part);
+        }
+        self.add_entities(chunk)
+    }
+
     fn add_entities(&mut self, chunk: &Chunk) -> Result<(), ReadError> {
         self.found.add_list(&chunk.entities()?, Frame::at(self.part.min))
     }
@@ -245,7 +259,8 @@ impl Reading {
             unnamed,
             mixed.map(|[first, last]| Warning::MixedVersions { first, last }),
         ];
-        Ok((self.grid, warnings.into_iter().flatten().chain(self.numbered.warnings()).collect()))
+        let warnings = warnings.into_iter().flatten().chain(self.numbered.warnings());
+        Ok((self.grid, warnings.chain(self.leftovers.warnings()).collect()))
     }
 
     /// Fills the chunks that the game has not made with `structure_void`. Gives their number.

@@ -13,7 +13,7 @@ use crate::nbt::{self, Compound, Tag};
 use crate::space::{Bounds, Cell};
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 
 /// The first version of the game that keeps chunks as they are written: 1.18.
@@ -265,6 +265,7 @@ impl Build<'_> {
         let lost = [
             self.left_alone(),
             outside.then_some(Lost::OutsideHeights),
+            self.block_entities_left_alone(),
             Lost::unnamed_block_entities(self.grid),
             biomes::are_finer_than_cubes(self.grid, self.at).then_some(Lost::Biomes),
             Lost::offset(self.grid),
@@ -274,6 +275,19 @@ impl Build<'_> {
             Lost::variants(self.grid),
         ];
         lost.into_iter().flatten().collect()
+    }
+
+    /// Those in chunks that are left alone: there is no block that they could be of.
+    fn block_entities_left_alone(&self) -> Option<Lost> {
+        self.states.void?;
+        let alone: BTreeSet<[i32; 2]> = columns(self.part)
+            .filter(|column| self.is_left_alone(column.within(self.part)))
+            .map(Column::chunk)
+            .collect();
+        let places = self.grid.block_entities.iter().filter(|(_, data)| is_named(data));
+        let chunk = |[x, _, z]: [i32; 3]| [self.at.x + x, self.at.z + z].map(|n| n.div_euclid(CHUNK));
+        let count = places.filter(|(place, _)| alone.contains(&chunk(**place))).count();
+        (count > 0).then_some(Lost::BlockEntities(count))
     }
 
     /// Cells to be left alone in chunks that are written.
