@@ -14,6 +14,8 @@ mod hanging;
 mod hostile;
 #[path = "io/litematic.rs"]
 mod litematic;
+#[path = "io/losses.rs"]
+mod losses;
 #[path = "io/magica.rs"]
 mod magica;
 #[path = "io/mcedit.rs"]

@@ -22,6 +22,13 @@ pub struct Metadata {
     pub regions: Vec<Region>,
 }
 
+impl Metadata {
+    /// The entities that say what they are. Readers have no use for the others.
+    pub fn named_entities(&self) -> impl Iterator<Item = &Entity> {
+        self.entities.iter().filter(|entity| is_named(&entity.data))
+    }
+}
+
 /// Tags beyond those that vox knows, kept for files of the same format.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Own {

@@ -56,7 +56,7 @@ impl Lost {
     }
 
     pub(super) fn unnamed_entities(grid: &Grid) -> Option<Lost> {
-        let unnamed = grid.metadata.entities.iter().filter(|entity| !entity.data.contains_key("id"));
+        let unnamed = grid.metadata.entities.iter().filter(|entity| !is_named(&entity.data));
         some(unnamed.count(), Lost::UnnamedEntities)
     }
 

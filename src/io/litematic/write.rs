@@ -32,6 +32,7 @@ pub fn encode_litematic(grid: &Grid, version: LitematicVersion) -> Result<Encode
     root.insert("Regions".to_owned(), Tag::Compound(regions));
     let lost = [
         Lost::unnamed_block_entities(grid),
+        Lost::unnamed_entities(grid),
         Lost::biomes(grid),
         Lost::own(grid, Some(Dialect::Litematica)),
         lost_regions,
@@ -80,7 +81,7 @@ fn placed(grid: &Grid, piece: &Piece) -> Result<Compound, WriteError> {
 fn entities_by_piece(grid: &Grid, pieces: &[Piece]) -> Vec<Vec<Tag>> {
     let version = grid.data_version();
     let mut by_piece = vec![Vec::new(); pieces.len()];
-    for entity in &grid.metadata.entities {
+    for entity in grid.metadata.named_entities() {
         let home = pieces.iter().position(|piece| piece.bounds.contains(entity.home())).unwrap_or_default();
         let frame = Frame::at(-pieces[home].bounds.min);
         by_piece[home].push(io::entities::write(entity, frame, version));

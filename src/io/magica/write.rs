@@ -158,10 +158,16 @@ fn length(len: usize) -> Result<u32, WriteError> {
     u32::try_from(len).map_err(|_| WriteError::LongModel)
 }
 
+/// Whether anything but air is there, be it without a colour.
+fn has_blocks(grid: &Grid) -> bool {
+    let is_air: Vec<bool> = grid.palette().states().iter().map(BlockState::is_air).collect();
+    grid.cells().iter().any(|&id| !is_air[usize::from(id)])
+}
+
 fn lost(grid: &Grid, painted: &Painted) -> Vec<Lost> {
     let colors = Lost::Colors { found: painted.found, kept: MOST_COLORS };
     let lost = [
-        (painted.found > 0).then_some(Lost::States),
+        has_blocks(grid).then_some(Lost::States),
         (painted.found > MOST_COLORS).then_some(colors),
         Lost::block_entities(grid),
         Lost::entities(grid),

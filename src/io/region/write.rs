@@ -242,7 +242,7 @@ impl Build<'_> {
     /// The entities by the chunks that they are in.
     fn entities(&self) -> BTreeMap<[i32; 2], Vec<Tag>> {
         let mut chunks: BTreeMap<[i32; 2], Vec<Tag>> = BTreeMap::new();
-        for entity in &self.grid.metadata.entities {
+        for entity in self.grid.metadata.named_entities() {
             // Here the game goes by the place and not by the block.
             let cell = (glam::DVec3::from_array(entity.place) + self.at.as_dvec3()).floor().as_ivec3();
             let chunk = [cell.x, cell.z].map(|n| n.div_euclid(CHUNK));
@@ -267,6 +267,7 @@ impl Build<'_> {
             outside.then_some(Lost::OutsideHeights),
             self.block_entities_left_alone(),
             Lost::unnamed_block_entities(self.grid),
+            Lost::unnamed_entities(self.grid),
             biomes::are_finer_than_cubes(self.grid, self.at).then_some(Lost::Biomes),
             Lost::offset(self.grid),
             Lost::metadata(self.grid),

@@ -90,11 +90,11 @@ pub(super) fn write_entities(grid: &Grid, version: SchemVersion) -> Compounds<'_
     };
     let (metadata, data_version) = (&grid.metadata, grid.data_version());
     let frame = frame(layout, metadata.offset, &metadata.tags);
-    let entries = metadata.entities.iter().filter_map(move |entity| {
+    let entries = metadata.named_entities().filter_map(move |entity| {
         let block = entities::block_tags(entity, frame, data_version);
         view(entities::place(entity, frame), &entity.data, block, version)
     });
-    let len = metadata.entities.iter().filter(|entity| is_named(&entity.data)).count();
+    let len = metadata.named_entities().count();
     Compounds { len, each: Box::new(entries) }
 }
 

@@ -20,7 +20,7 @@ pub(super) fn read(root: &Fields) -> Result<Found, ReadError> {
 
 pub(super) fn write(grid: &Grid) -> Tag {
     let version = grid.data_version();
-    let entries = grid.metadata.entities.iter().map(|entity| {
+    let entries = grid.metadata.named_entities().map(|entity| {
         let data = entities::data(entity, Frame::LOW, version);
         Tag::Compound(Compound::from([
             ("pos".to_owned(), entities::place(entity, Frame::LOW)),

@@ -71,6 +71,7 @@ fn lost(grid: &Grid, joint: &Joint) -> Vec<Lost> {
     let own_data: usize = same_size(grid).map(own_data).sum();
     let lost = [
         (own_data > 0).then_some(Lost::BlockEntities(own_data)),
+        Lost::unnamed_entities(grid),
         left_alone(grid, joint),
         Lost::biomes(grid),
         Lost::offset(grid),
