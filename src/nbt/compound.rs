@@ -95,6 +95,10 @@ impl Compound {
         self.0.iter().map(|(_, tag)| tag)
     }
 
+    pub fn values_mut(&mut self) -> impl Iterator<Item = &mut Tag> {
+        self.0.make_mut().iter_mut().map(|(_, tag)| tag)
+    }
+
     pub fn into_keys(self) -> impl Iterator<Item = Name> {
         self.0.into_iter().map(|(name, _)| name)
     }

@@ -1,8 +1,8 @@
 //! The law of all formats: what of a build does not come back from a file is named among what is lost, and what is
 //! not named comes back.
 
+use super::read_grid;
 use super::round_trip::{complete, near};
-use super::{read_grid, tags};
 use ndarray::{Array2, Array3};
 use proptest::collection::{btree_map, vec};
 use proptest::option;
@@ -12,8 +12,8 @@ use tempfile::TempDir;
 use vox::block::{BlockState, Known, Palette, Version, all, color, legal_in};
 use vox::grid::{BiomeMap, Biomes, Dialect, Entity, Grid, Metadata, Own, Region};
 use vox::io::{
-    Content, DEFAULT_DATA_VERSION, Encoded, Limits, LitematicVersion, Lost, SchemVersion, WriteError,
-    encode_litematic, encode_regions, encode_schem, encode_structure, encode_vox, read_world,
+    Content, Encoded, Limits, LitematicVersion, Lost, SchemVersion, WriteError, encode_litematic,
+    encode_regions, encode_schem, encode_structure, encode_vox, read_world,
 };
 use vox::nbt::{Compound, Tag};
 use vox::space::{Bounds, Cell};
@@ -351,13 +351,14 @@ fn rest(was: &Metadata, is: &Metadata, said: &Said) -> Result<(), TestCaseError>
     }
     let names = said.names(|lost| if let Lost::Metadata(names) = lost { Some(names) } else { None });
     let kept = |tags: &Compound| -> BTreeMap<String, Tag> {
-        let kept = tags.iter().filter(|(name, _)| !names.contains(name));
-        kept.map(|(name, tag)| (name.clone(), tag.clone())).collect()
+        let kept = tags.iter().filter(|(name, _)| !names.contains(&name.to_string()));
+        kept.map(|(name, tag)| (name.to_string(), tag.clone())).collect()
     };
     prop_assert_eq!(kept(&was.tags), kept(&is.tags));
     let names = said.names(|lost| if let Lost::Own(names) = lost { Some(names) } else { None });
     let own = |own: &Option<Own>| -> Vec<String> {
-        own.iter().flat_map(|own| own.tags.keys().cloned()).filter(|name| !names.contains(name)).collect()
+        let all = own.iter().flat_map(|own| own.tags.keys().map(ToString::to_string));
+        all.filter(|name| !names.contains(name)).collect()
     };
     prop_assert_eq!(own(&was.own), own(&is.own));
     Ok(())
@@ -380,12 +381,12 @@ proptest! {
 
     #[test]
     fn what_is_written_is_legal_in_the_version(grid in any_build()) {
-        let version = grid.metadata.version();
+        let version = grid.version();
         let mut grid = grid;
         grid.variants.clear();
         // Blocks of other versions are refused or told of elsewhere.
         grid.map_states(|state| if legal_in(state, version) { state.clone() } else { BlockState::air() }).unwrap();
-        let data_version = grid.metadata.data_version.unwrap_or(DEFAULT_DATA_VERSION);
+        let data_version = grid.data_version();
         for format in WRITTEN {
             let (Ok((back, _)), false) = (format.through(&grid), matches!(format, Written::Model)) else {
                 continue;

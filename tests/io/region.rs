@@ -196,22 +196,22 @@ fn what_chunks_hold_beside_a_build_is_told() {
     let tick = |y| compound([("x", Tag::Int(1)), ("y", Tag::Int(y)), ("z", Tag::Int(1))]);
     let empty = || Tag::List(vec![Tag::List(Vec::new())]);
     let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
-    level.insert("TileTicks".into(), Tag::List(vec![tick(17), tick(200)]));
-    level.insert("Heightmaps".into(), compound([("MOTION_BLOCKING", Tag::LongArray(vec![1]))]));
-    level.insert("PostProcessing".into(), empty());
-    level.insert("Structures".into(), compound([("References", compound([]))]));
+    level.insert("TileTicks", Tag::List(vec![tick(17), tick(200)]));
+    level.insert("Heightmaps", compound([("MOTION_BLOCKING", Tag::LongArray(vec![1]))]));
+    level.insert("PostProcessing", empty());
+    level.insert("Structures", compound([("References", compound([]))]));
     let Some(Tag::List(sections)) = level.get_mut("Sections") else { panic!("no sections") };
     let Tag::Compound(section) = &mut sections[1] else { panic!("no section") };
-    section.insert("starlight.skylight_state".into(), Tag::Int(2));
+    section.insert("starlight.skylight_state", Tag::Int(2));
     let told = |root: &Compound| read(&region(&[([0, 0], root)], 2)).unwrap().warnings;
     assert_eq!(told(&root), [Warning::BiomesByNumber, Warning::TicksDropped(1)]);
 
     let Some(Tag::Compound(level)) = root.get_mut("Level") else { panic!("no level") };
-    level.insert("ForgeCaps".into(), compound([("mana", Tag::Int(7))]));
+    level.insert("ForgeCaps", compound([("mana", Tag::Int(7))]));
     let Some(Tag::List(sections)) = level.get_mut("Sections") else { panic!("no sections") };
     let Tag::Compound(section) = &mut sections[1] else { panic!("no section") };
-    section.insert("Colors".into(), Tag::ByteArray(vec![7]));
-    root.insert("ChunkBukkitValues".into(), compound([("a:b", Tag::Int(7))]));
+    section.insert("Colors", Tag::ByteArray(vec![7]));
+    root.insert("ChunkBukkitValues", compound([("a:b", Tag::Int(7))]));
     let tags = "ChunkBukkitValues, Level.ForgeCaps, Level.Sections[].Colors";
     assert_eq!(told(&root)[2..], [Warning::ChunkTags(tags.into())]);
 }

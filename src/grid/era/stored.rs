@@ -20,7 +20,7 @@ pub fn each(holder: &mut Compound, work: &mut impl FnMut(&mut Compound)) {
         }
     }
     if let Some(Tag::Compound(worn)) = holder.get_mut("equipment") {
-        worn.iter_mut().for_each(|(_, entry)| item(entry, work));
+        worn.values_mut().for_each(|entry| item(entry, work));
     }
 }
 
