@@ -36,6 +36,10 @@ impl Names<'_> {
             "pi" => Name::Number(std::f64::consts::PI),
             "true" => Name::Number(1.0),
             "false" => Name::Number(0.0),
+            // What an occlusion query may find.
+            "none" => Name::Number(0.0),
+            "part" => Name::Number(1.0),
+            "full" => Name::Number(2.0),
             _ => Name::Thing,
         }
     }

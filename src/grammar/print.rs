@@ -21,18 +21,26 @@ impl Display for Grammar {
         if let Some(version) = self.data_version {
             head += &format!("data_version {version}\n");
         }
+        self.imports.iter().for_each(|import| head += &format!("{import}\n"));
         self.sizes.iter().for_each(|size| head += &format!("{size}\n"));
         self.constants.iter().for_each(|constant| head += &format!("{constant}\n"));
         if !head.is_empty() {
             blocks.push(head);
         }
+        self.styles.iter().for_each(|style| blocks.push(format!("{style}\n")));
         let mut previous: Option<&Rule> = None;
+        let mut priority = Rule::FIRST;
         for rule in &self.rules {
             let text = format!("{rule}\n");
             let continues = previous.is_some_and(|previous| previous.label == rule.label);
-            match blocks.last_mut().filter(|_| continues) {
-                Some(block) => *block += &text,
-                None => blocks.push(text),
+            if std::mem::replace(&mut priority, rule.priority) != rule.priority {
+                blocks.push(format!("priority {priority}\n"));
+                blocks.push(text);
+            } else {
+                match blocks.last_mut().filter(|_| continues) {
+                    Some(block) => *block += &text,
+                    None => blocks.push(text),
+                }
             }
             previous = Some(rule);
         }
@@ -53,7 +61,40 @@ impl Display for StartSize {
 
 impl Display for Constant {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{}{} = {}", comment_lines(&self.comments), self.name.name, self.value)
+        let comments = comment_lines(&self.comments);
+        let Some(attribute) = &self.attribute else {
+            return write!(f, "{comments}{} = {}", self.name.name, self.value);
+        };
+        write!(f, "{comments}attr {} = {}{attribute}", self.name.name, self.value)
+    }
+}
+
+impl Display for Attribute {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if let Some([low, high]) = &self.range {
+            write!(f, " range({low}, {high})")?;
+        }
+        if let Some(group) = &self.group {
+            write!(f, " group(\"{group}\")")?;
+        }
+        self.about.as_ref().map_or(Ok(()), |about| write!(f, " about(\"{about}\")"))
+    }
+}
+
+impl Display for Import {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{}import \"{}\"", comment_lines(&self.comments), self.file)?;
+        self.prefix.as_ref().map_or(Ok(()), |prefix| write!(f, " as {}", prefix.name))
+    }
+}
+
+impl Display for Style {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}style {} {{", comment_lines(&self.comments), self.name.name)?;
+        for (name, value) in &self.values {
+            writeln!(f, "{INDENT}{} = {value}", name.name)?;
+        }
+        f.write_str("}")
     }
 }
 
@@ -87,21 +128,36 @@ impl Display for Weight<'_> {
 
 impl Display for Successor {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let parts = Layout::of(&self.op);
-        match parts.children.is_empty() {
-            true => f.write_str(&parts.head),
-            false => {
-                let children: Vec<String> = parts.children.iter().map(Child::flat).collect();
-                write!(f, "{}{{ {} }}", parts.head, children.join(" | "))
+        match Layout::of(&self.op) {
+            Layout::Leaf(text) => f.write_str(&text),
+            Layout::Braces { head, children } => {
+                let children: Vec<String> = children.iter().map(Child::flat).collect();
+                write!(f, "{head}{{ {} }}", children.join(" | "))
             }
+            Layout::All(ops) => f.write_str(&beside(ops)),
         }
     }
 }
 
-/// An operation as its head and the parts in its braces.
-struct Layout<'a> {
-    head: String,
-    children: Vec<Child<'a>>,
+/// Operations that share a scope, on one line. Those that do so themselves stand in brackets.
+fn beside(ops: &[Successor]) -> String {
+    let flat = |op: &Successor| match &op.op {
+        Op::All(_) => format!("[ {op} ]"),
+        _ => op.to_string(),
+    };
+    ops.iter().map(flat).collect::<Vec<_>>().join(" ")
+}
+
+/// How an operation is laid out.
+enum Layout<'a> {
+    Leaf(String),
+    /// A head and the parts in its braces.
+    Braces {
+        head: String,
+        children: Vec<Child<'a>>,
+    },
+    /// Operations that share a scope.
+    All(&'a [Successor]),
 }
 
 enum Child<'a> {
@@ -111,33 +167,82 @@ enum Child<'a> {
 
 impl<'a> Layout<'a> {
     fn of(op: &'a Op) -> Layout<'a> {
-        let single = |head: String, body: &'a Successor| Layout {
+        let single = |head, body: &'a Successor| Layout::Braces {
             head,
             children: vec![Child::Op { prefix: String::new(), body }],
         };
-        let leaf = |head: String| Layout { head, children: Vec::new() };
         match op {
-            Op::Nil => leaf("nil".to_owned()),
-            Op::Primitive { name, material: None } => leaf(format!("I({name})")),
-            Op::Primitive { name, material: Some(material) } => leaf(format!("I({name}, {material})")),
-            Op::Call { label, args } if args.is_empty() => leaf(label.name.clone()),
-            Op::Call { label, args } => leaf(format!("{}({})", label.name, list(args))),
-            Op::Split { axis, items } => Layout {
-                head: format!("split({axis})"),
+            Op::Nil => Layout::Leaf("nil".to_owned()),
+            Op::Primitive { name, material, options } => {
+                let mut args = vec![name.to_string()];
+                args.extend(material.as_ref().map(Expr::to_string));
+                args.extend(options.iter().map(|(option, value)| format!("{} = {value}", option.name)));
+                Layout::Leaf(format!("I({})", args.join(", ")))
+            }
+            Op::Call { label, args } if args.is_empty() => Layout::Leaf(label.name.clone()),
+            Op::Call { label, args } => Layout::Leaf(format!("{}({})", label.name, list(args))),
+            Op::Snap { axis, label: None } => Layout::Leaf(format!("snap({axis})")),
+            Op::Snap { axis, label: Some(label) } => Layout::Leaf(format!("snap({axis}, {})", label.name)),
+            Op::All(ops) => Layout::All(ops),
+            Op::Split { axis, snap, items } => Layout::Braces {
+                head: format!("split({axis}{})", Snaps(snap)),
                 children: items.iter().map(Child::of_item).collect(),
             },
-            Op::Repeat { axis, size, body } => single(format!("repeat({axis}, {size})"), body),
+            Op::Repeat { axis, size, snap, body } => {
+                single(format!("repeat({axis}, {size}{})", Snaps(snap)), body)
+            }
             Op::RepeatN { axis, count, body } => single(format!("repeatN({axis}, {count})"), body),
-            Op::Translate { delta, body } => single(format!("T({})", list(delta)), body),
-            Op::Resize { size, body } => single(format!("S({})", list(size)), body),
-            Op::Rotate { axis, angle, body } => single(format!("R({axis}, {angle})"), body),
-            Op::Comp { parts } => Layout {
-                head: "comp(f)".to_owned(),
+            Op::Carve { how, args, parts } => Layout::Braces {
+                head: carving(*how, args),
                 children: parts
                     .iter()
-                    .map(|(face, body)| Child::Op { prefix: format!("{} : ", face.name()), body })
+                    .map(|(selector, body)| Child::Op { prefix: format!("{selector} : "), body })
                     .collect(),
             },
+            Op::Within { change, body } => single(change.to_string(), body),
+        }
+    }
+}
+
+fn carving(how: Carving, args: &[Expr]) -> String {
+    let comma = if how.is_component() && !args.is_empty() { ", " } else { "" };
+    format!("{}{comma}{})", how.head(), list(args))
+}
+
+/// What a split says of snap planes, behind its other arguments.
+struct Snaps<'a>(&'a Option<Snap>);
+
+impl Display for Snaps<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            None => Ok(()),
+            Some(Snap { label: None }) => f.write_str(", snap"),
+            Some(Snap { label: Some(label) }) => write!(f, ", snap({label})"),
+        }
+    }
+}
+
+impl Display for Change {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Change::Translate(delta) => write!(f, "T({})", list(delta)),
+            Change::Resize(size) => write!(f, "S({})", list(size)),
+            Change::Rotate { axis, angle } => write!(f, "R({axis}, {angle})"),
+            Change::Local => f.write_str("local"),
+            Change::Same(key) => write!(f, "same({key})"),
+            Change::Style(name) => write!(f, "style({})", name.name),
+        }
+    }
+}
+
+impl Display for Selector {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Selector::On(faces) => {
+                f.write_str(&faces.iter().map(|face| face.name()).collect::<Vec<_>>().join("."))
+            }
+            Selector::Index(number) => write!(f, "{number}"),
+            named => f.write_str(named.name()),
         }
     }
 }
@@ -177,10 +282,24 @@ fn layout(successor: &Successor, indent: &str, column: usize) -> String {
     if column + flat.len() <= WIDTH {
         return flat;
     }
-    let Layout { head, children } = Layout::of(&successor.op);
-    match children.is_empty() {
-        true => head,
-        false => format!("{head}{{{}}}", lines(&children, indent)),
+    match Layout::of(&successor.op) {
+        Layout::Leaf(text) => text,
+        Layout::Braces { head, children } => format!("{head}{{{}}}", lines(&children, indent)),
+        Layout::All(ops) => {
+            let inner = format!("{indent}{INDENT}");
+            let lines: Vec<String> =
+                ops.iter().map(|op| format!("\n{inner}{}", bracketed(op, &inner))).collect();
+            format!("[{}\n{indent}]", lines.concat())
+        }
+    }
+}
+
+/// One of several operations that share a scope, on lines of its own.
+fn bracketed(op: &Successor, indent: &str) -> String {
+    let text = layout(op, indent, indent.len());
+    match op.op {
+        Op::All(_) if !text.starts_with('[') => format!("[ {text} ]"),
+        _ => text,
     }
 }
 
@@ -189,6 +308,10 @@ fn lines(children: &[Child<'_>], indent: &str) -> String {
     let lines: Vec<String> =
         children.iter().map(|child| format!("\n{inner}{}", child.layout(&inner))).collect();
     format!("{}\n{indent}", lines.join(" |"))
+}
+
+fn weighted(parts: &[(Expr, Expr)]) -> String {
+    parts.iter().map(|(weight, value)| format!("{weight} : {value}")).collect::<Vec<_>>().join(" | ")
 }
 
 fn list<T: Display>(elements: &[T]) -> String {
@@ -214,6 +337,20 @@ impl Display for Expr {
             ExprKind::Name(name) | ExprKind::Block(name) => f.write_str(name),
             ExprKind::File(name) => write!(f, "\"{name}\""),
             ExprKind::ScopeSize(axis) => write!(f, "scope.s{axis}"),
+            ExprKind::Share(Share::Index) => f.write_str("split.index"),
+            ExprKind::Share(Share::Total) => f.write_str("split.total"),
+            ExprKind::Pick(parts) => write!(f, "pick{{ {} }}", weighted(parts)),
+            ExprKind::Mix(parts) => write!(f, "mix{{ {} }}", weighted(parts)),
+            ExprKind::Gradient(axis, blocks) => {
+                let blocks: Vec<String> = blocks.iter().map(Expr::to_string).collect();
+                write!(f, "gradient({axis}){{ {} }}", blocks.join(" | "))
+            }
+            ExprKind::Same(key, value) => write!(f, "same({key}, {value})"),
+            ExprKind::Occlusion { against, distance: None } => write!(f, "occ({})", against.name()),
+            ExprKind::Occlusion { against, distance: Some(distance) } => {
+                write!(f, "occ({}, {distance})", against.name())
+            }
+            ExprKind::Visible(label) => write!(f, "visible({label})"),
             ExprKind::Unary(UnaryOp::Negate, operand) => write!(f, "-{}", Operand(operand, 6)),
             ExprKind::Unary(UnaryOp::Not, operand) => write!(f, "not {}", Operand(operand, 2)),
             ExprKind::Binary(op, left, right) => {

@@ -35,7 +35,7 @@ impl Builder {
     }
 
     pub fn primitive(&mut self, name: Expr) -> NodeIndex {
-        self.node(Op::Primitive { name, material: None }, Vec::new())
+        self.node(Op::primitive(name), Vec::new())
     }
 
     pub fn split(&mut self, axis: Expr, parts: Vec<(Size, NodeIndex)>) -> NodeIndex {
@@ -43,7 +43,7 @@ impl Builder {
             [(_, only)] => *only,
             _ => {
                 let children = parts.into_iter().map(|(size, child)| (Arg::Size(size), child)).collect();
-                self.node(Op::Split { axis, groups: Vec::new() }, children)
+                self.node(Op::Split { axis, snap: None, groups: Vec::new() }, children)
             }
         }
     }
@@ -60,10 +60,9 @@ impl Builder {
         if let [(_, only)] = joined.as_slice() {
             return *only;
         }
-        let alternatives = joined.into_iter().map(|(weight, child)| {
-            let alternative = Alternative { condition: None, weight: Expr::number(weight) };
-            (Arg::Alternative(alternative), child)
-        });
+        let alternatives = joined
+            .into_iter()
+            .map(|(weight, child)| (Arg::Alternative(Alternative::plain(Expr::number(weight))), child));
         self.node(Op::Choose, alternatives.collect())
     }
 
@@ -80,6 +79,7 @@ impl Builder {
             data_version: None,
             sizes: Vec::new(),
             constants: Vec::new(),
+            styles: Vec::new(),
             preamble: Vec::new(),
             names: BTreeMap::new(),
             origins: BTreeMap::new(),

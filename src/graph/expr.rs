@@ -1,5 +1,5 @@
 use crate::block::{self, BlockState, Family};
-use crate::grammar::ast::{BinaryOp, Function, UnaryOp};
+use crate::grammar::ast::{Against, BinaryOp, Function, Share, UnaryOp};
 use crate::neighbours::opened;
 use crate::space::Axis;
 use std::hash::{Hash, Hasher};
@@ -18,6 +18,22 @@ pub enum Expr {
     Unary(UnaryOp, Box<Expr>),
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     Call(Function, Vec<Expr>),
+    Share(Share),
+    /// One of the values, by weight.
+    Pick(Vec<(Expr, Expr)>),
+    /// A block by weight for each cell.
+    Mix(Vec<(Expr, Expr)>),
+    /// Blocks that pass into one another along an axis.
+    Gradient(Box<Expr>, Vec<Expr>),
+    /// A block with other properties: `facing=north`.
+    State(Box<Expr>, String),
+    /// A value whose draws come from a key.
+    Same(Box<Expr>, Box<Expr>),
+    Occlusion {
+        against: Against,
+        distance: Option<Box<Expr>>,
+    },
+    Visible(String),
 }
 
 /// What a primitive is, or is made of.
@@ -29,18 +45,24 @@ pub enum Thing {
     Block(String),
     /// A schematic file.
     File(String),
+    /// A block by weight for each cell.
+    Mix(Vec<(Number, Thing)>),
+    /// Blocks that pass into one another along an axis of the scope.
+    Gradient(Axis, Vec<Thing>),
 }
 
 impl Thing {
-    /// The text without quotes.
+    /// The text without quotes; of several, that of the first.
     pub fn text(&self) -> &str {
         match self {
             Thing::Name(text) | Thing::Block(text) | Thing::File(text) => text,
+            Thing::Mix(parts) => parts.first().map_or("mix", |(_, thing)| thing.text()),
+            Thing::Gradient(_, parts) => parts.first().map_or("gradient", Thing::text),
         }
     }
 
     /// The block that it is, with all properties but those that its neighbours are to decide; of a family, its
-    /// full block.
+    /// full block; of several, the first.
     pub fn block(&self) -> Option<BlockState> {
         match self {
             Thing::Name(name) => {
@@ -49,8 +71,38 @@ impl Thing {
             }
             Thing::Block(text) => text.parse().ok().map(|state| opened(&state)),
             Thing::File(_) => None,
+            Thing::Mix(parts) => parts.first().and_then(|(_, thing)| thing.block()),
+            Thing::Gradient(_, parts) => parts.first().and_then(Thing::block),
         }
     }
+
+    /// The same block with other properties: `facing=north,half=top`.
+    pub fn with(&self, properties: &str) -> Thing {
+        match self {
+            Thing::Name(name) => Thing::Block(format!("{name}[{properties}]")),
+            Thing::Block(text) => Thing::Block(changed(text, properties)),
+            Thing::File(name) => Thing::File(name.clone()),
+            Thing::Mix(parts) => {
+                Thing::Mix(parts.iter().map(|(weight, thing)| (*weight, thing.with(properties))).collect())
+            }
+            Thing::Gradient(axis, parts) => {
+                Thing::Gradient(*axis, parts.iter().map(|thing| thing.with(properties)).collect())
+            }
+        }
+    }
+}
+
+/// A block state's text with these properties in place of its own of the same names.
+fn changed(text: &str, properties: &str) -> String {
+    let (name, own) = text.split_once('[').unwrap_or((text, ""));
+    let new: Vec<&str> = properties.split(',').collect();
+    let key = |property: &str| property.split('=').next().unwrap_or("").to_owned();
+    let kept = own
+        .trim_end_matches(']')
+        .split(',')
+        .filter(|property| !property.is_empty() && new.iter().all(|other| key(other) != key(property)));
+    let all: Vec<&str> = kept.chain(new.iter().copied()).collect();
+    format!("{name}[{}]", all.join(","))
 }
 
 /// A finite number that compares by value: 0 and -0 are one number.
@@ -98,14 +150,45 @@ impl Expr {
 
     /// Whether its value depends on the parameters of a rule.
     pub fn uses_params(&self) -> bool {
+        let mut uses = false;
+        self.for_each(&mut |part| uses |= matches!(part, Expr::Param(_)));
+        uses
+    }
+
+    /// Whether it asks about other shapes.
+    pub fn asks(&self) -> bool {
+        let mut asks = false;
+        self.for_each(&mut |part| asks |= matches!(part, Expr::Occlusion { .. } | Expr::Visible(_)));
+        asks
+    }
+
+    /// Visits an expression and all its parts.
+    pub fn for_each<'e>(&'e self, visit: &mut impl FnMut(&'e Expr)) {
+        visit(self);
         match self {
-            Expr::Param(_) => true,
-            Expr::Unary(_, operand) => operand.uses_params(),
-            Expr::Binary(_, left, right) => left.uses_params() || right.uses_params(),
-            Expr::Call(_, args) => args.iter().any(Expr::uses_params),
-            Expr::Number(_) | Expr::Axis(_) | Expr::Thing(_) | Expr::Constant(_) | Expr::ScopeSize(_) => {
-                false
+            Expr::Unary(_, operand) | Expr::State(operand, _) => operand.for_each(visit),
+            Expr::Binary(_, left, right) | Expr::Same(left, right) => {
+                left.for_each(visit);
+                right.for_each(visit);
             }
+            Expr::Call(_, args) => args.iter().for_each(|arg| arg.for_each(visit)),
+            Expr::Pick(parts) | Expr::Mix(parts) => parts.iter().for_each(|(weight, value)| {
+                weight.for_each(visit);
+                value.for_each(visit);
+            }),
+            Expr::Gradient(axis, blocks) => {
+                axis.for_each(visit);
+                blocks.iter().for_each(|block| block.for_each(visit));
+            }
+            Expr::Occlusion { distance, .. } => distance.iter().for_each(|distance| distance.for_each(visit)),
+            Expr::Number(_)
+            | Expr::Axis(_)
+            | Expr::Thing(_)
+            | Expr::Param(_)
+            | Expr::Constant(_)
+            | Expr::ScopeSize(_)
+            | Expr::Share(_)
+            | Expr::Visible(_) => {}
         }
     }
 }

@@ -14,7 +14,9 @@ pub use build::Builder;
 pub use dot::dot;
 pub use expr::{Expr, Number, Thing};
 pub use lower::{BadStart, lower};
-pub use op::{Alternative, Arg, Group, Op, OpGraph, Origin, RuleName, Size, StartSize};
+pub use op::{
+    Alternative, Arg, Attribute, Constant, Group, Op, OpGraph, Origin, RuleName, Size, StartSize, Style,
+};
 pub use petgraph::graph::NodeIndex;
 pub use raise::raise;
 pub use unify::Renumbered;

@@ -1,9 +1,10 @@
 use super::{Expr, Thing};
 use crate::grammar::Span;
-use crate::grammar::ast::{Face, SizeKind};
+use crate::grammar::ast::{Carving, Rule, Selector, SizeKind, Snap};
 use crate::space::Up;
 use petgraph::graph::{DiGraph, NodeIndex};
 use petgraph::visit::EdgeRef;
+use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -13,20 +14,31 @@ pub enum Op {
     Primitive {
         name: Expr,
         material: Option<Expr>,
+        /// In the order of the text.
+        options: Vec<(String, Expr)>,
     },
     Nil,
+    /// Runs every child in the same scope, in order.
+    All,
     /// Edges carry sizes. The groups are the rhythms among the children, outer ones first.
     Split {
         axis: Expr,
+        snap: Option<Snap>,
         groups: Vec<Group>,
     },
     Repeat {
         axis: Expr,
         size: Expr,
+        snap: Option<Snap>,
     },
     RepeatN {
         axis: Expr,
         count: Expr,
+    },
+    /// Edges carry selectors.
+    Carve {
+        how: Carving,
+        args: Vec<Expr>,
     },
     Translate([Size; 3]),
     Resize([Size; 3]),
@@ -34,12 +46,51 @@ pub enum Op {
         axis: Expr,
         angle: Expr,
     },
-    /// Edges carry faces.
-    Comp,
+    /// Keeps snap planes and coherent draws inside to itself.
+    Local,
+    /// Draws inside come from a key.
+    Same(Expr),
+    /// Constants inside have the values of the style of that number.
+    Style(usize),
+    /// Marks the planes that bound the scope.
+    Snap {
+        axis: Expr,
+        label: Option<String>,
+    },
+    /// A shape with a label that some query asks for.
+    Shape(String),
     /// Edges carry alternatives.
     Choose,
     /// Runs its child with these arguments as its parameters.
     Call(Vec<Expr>),
+}
+
+impl Op {
+    /// A primitive that is all that its name says.
+    pub fn primitive(name: Expr) -> Op {
+        Op::Primitive { name, material: None, options: Vec::new() }
+    }
+
+    /// Its own expressions, without those on its edges.
+    pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
+        let mut list: SmallVec<[&Expr; 4]> = SmallVec::new();
+        match self {
+            Op::Primitive { name, material, options } => {
+                list.push(name);
+                list.extend(material);
+                list.extend(options.iter().map(|(_, value)| value));
+            }
+            Op::Split { axis, .. } | Op::Snap { axis, .. } => list.push(axis),
+            Op::Repeat { axis, size: other, .. }
+            | Op::RepeatN { axis, count: other }
+            | Op::Rotate { axis, angle: other } => list.extend([axis, other]),
+            Op::Carve { args, .. } | Op::Call(args) => list.extend(args),
+            Op::Translate(sizes) | Op::Resize(sizes) => list.extend(sizes.iter().map(|size| &size.value)),
+            Op::Same(key) => list.push(key),
+            Op::Nil | Op::All | Op::Local | Op::Style(_) | Op::Shape(_) | Op::Choose => {}
+        }
+        list.into_iter()
+    }
 }
 
 /// A run of a split's children that is repeated as often as it fits. Groups may stand inside others.
@@ -53,8 +104,19 @@ pub struct Group {
 pub enum Arg {
     None,
     Size(Size),
-    Face(Face),
+    Part(Selector),
     Alternative(Alternative),
+}
+
+impl Arg {
+    pub fn exprs(&self) -> impl Iterator<Item = &Expr> {
+        let list: [Option<&Expr>; 2] = match self {
+            Arg::None | Arg::Part(_) => [None, None],
+            Arg::Size(size) => [Some(&size.value), None],
+            Arg::Alternative(alternative) => [Some(&alternative.weight), alternative.condition.as_ref()],
+        };
+        list.into_iter().flatten()
+    }
 }
 
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -78,6 +140,39 @@ impl Size {
 pub struct Alternative {
     pub condition: Option<Expr>,
     pub weight: Expr,
+    /// Alternatives of a lower number are tried first.
+    pub priority: u32,
+}
+
+impl Alternative {
+    /// One without a condition, of the first priority.
+    pub fn plain(weight: Expr) -> Alternative {
+        Alternative { condition: None, weight, priority: Rule::FIRST }
+    }
+}
+
+/// A value that is drawn once for a run.
+#[derive(Clone, Debug)]
+pub struct Constant {
+    pub name: String,
+    pub value: Expr,
+    /// What the text tells about it, if a run may set it.
+    pub attribute: Option<Attribute>,
+}
+
+/// What `attr` tells. It takes no part in equality.
+#[derive(Clone, Debug, Default)]
+pub struct Attribute {
+    pub range: Option<[Expr; 2]>,
+    pub group: Option<String>,
+    pub about: Option<String>,
+}
+
+/// Other values for constants, by their place.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct Style {
+    pub name: String,
+    pub values: Vec<(usize, Expr)>,
 }
 
 /// A size that the start scope may have, with its weight.
@@ -115,8 +210,8 @@ pub struct OpGraph {
     /// The version of the game that the block states belong to.
     pub data_version: Option<i32>,
     pub sizes: Vec<StartSize>,
-    /// Values that are drawn once for a run, with their names.
-    pub constants: Vec<(String, Expr)>,
+    pub constants: Vec<Constant>,
+    pub styles: Vec<Style>,
     /// Comments for the head of the file.
     pub preamble: Vec<String>,
     pub(super) names: BTreeMap<NodeIndex, RuleName>,
@@ -178,26 +273,19 @@ impl OpGraph {
         self.origins.get(&node)
     }
 
-    /// Every file that a primitive of the graph is read from, sorted.
+    /// Every file that the graph names, sorted.
     pub fn files(&self) -> Vec<&str> {
-        let constants = self.constants.iter().map(|(_, value)| value);
-        let own = self.graph.node_weights().flat_map(|op| match op {
-            Op::Primitive { name, material } => [Some(name), material.as_ref()],
-            _ => [None, None],
-        });
-        let args = self.graph.node_weights().flat_map(|op| match op {
-            Op::Call(args) => args.as_slice(),
-            _ => &[],
-        });
-        let mut files: Vec<&str> = own
-            .flatten()
-            .chain(args)
-            .chain(constants)
-            .filter_map(|expr| match expr {
-                Expr::Thing(Thing::File(file)) => Some(file.as_str()),
-                _ => None,
-            })
-            .collect();
+        let constants = self.constants.iter().map(|constant| &constant.value);
+        let styled = self.styles.iter().flat_map(|style| style.values.iter().map(|(_, value)| value));
+        let own = self.graph.node_weights().flat_map(Op::exprs);
+        let mut files = Vec::new();
+        for expr in constants.chain(styled).chain(own) {
+            expr.for_each(&mut |part| {
+                if let Expr::Thing(Thing::File(file)) = part {
+                    files.push(file.as_str());
+                }
+            });
+        }
         files.sort_unstable();
         files.dedup();
         files

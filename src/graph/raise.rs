@@ -19,7 +19,9 @@ pub fn raise(graph: &OpGraph) -> Grammar {
         up: graph.up,
         data_version: graph.data_version,
         sizes: graph.sizes.iter().map(|size| raising.start_size(size)).collect(),
-        constants: graph.constants.iter().map(|(name, value)| raising.constant(name, value)).collect(),
+        imports: Vec::new(),
+        constants: graph.constants.iter().map(|known| raising.constant(known)).collect(),
+        styles: graph.styles.iter().map(|style| raising.style(style)).collect(),
         rules: Vec::new(),
     };
     raising.label(graph.root, 0);
@@ -42,7 +44,8 @@ struct Raising<'g> {
 
 impl<'g> Raising<'g> {
     fn new(graph: &'g OpGraph) -> Raising<'g> {
-        let taken = graph.constants.iter().map(|(name, _)| name.clone()).collect();
+        let shapes = graph.nodes().filter_map(|node| shape_label(graph, node)).map(str::to_owned);
+        let taken = graph.constants.iter().map(|known| known.name.clone()).chain(shapes).collect();
         let open_params = open_params(graph);
         Raising {
             graph,
@@ -58,6 +61,11 @@ impl<'g> Raising<'g> {
     fn label(&mut self, node: NodeIndex, arity: usize) -> Ident {
         if let Some(label) = self.labels.get(&(node, arity)) {
             return Ident::new(label.clone());
+        }
+        if let Some(label) = shape_label(self.graph, node) {
+            self.labels.insert((node, arity), label.to_owned());
+            self.open.push_back((node, arity));
+            return Ident::new(label);
         }
         let base = self.graph.name(node).map_or("rule", |name| &name.label);
         let next = self.numbers.entry(base.to_owned()).or_insert(1);
@@ -81,19 +89,27 @@ impl<'g> Raising<'g> {
         let params = self.params(names.unwrap_or_default(), arity);
         let mut comments = known.map(|name| name.comments.clone()).unwrap_or_default();
         let idents: Vec<Ident> = params.iter().map(Ident::new).collect();
-        let mut rule = |condition, successor, weight| Rule {
+        let mut rule = |condition, successor, weight, priority| Rule {
             comments: std::mem::take(&mut comments),
             label: label.clone(),
             params: idents.clone(),
             condition,
             successor,
             weight,
+            priority,
         };
-        if *self.graph.op(node) != Op::Choose {
-            return vec![rule(None, self.op(node, &params), None)];
-        }
         let graph = self.graph;
-        let alternatives = graph.children(node).filter_map(|(arg, child)| match arg {
+        let body = match graph.op(node) {
+            Op::Shape(_) => only_child(graph, node),
+            _ => node,
+        };
+        if body != node && self.needs_rule(body) && self.has_label(body) {
+            return vec![rule(None, self.successor(body, &params), None, Rule::FIRST)];
+        }
+        if *graph.op(body) != Op::Choose {
+            return vec![rule(None, self.op(body, &params), None, Rule::FIRST)];
+        }
+        let alternatives = graph.children(body).filter_map(|(arg, child)| match arg {
             Arg::Alternative(alternative) => Some((alternative, child)),
             _ => None,
         });
@@ -102,14 +118,19 @@ impl<'g> Raising<'g> {
                 let condition = alternative.condition.as_ref().map(|condition| self.expr(condition, &params));
                 let is_plain = alternative.weight == Expr::number(1.0);
                 let weight = (!is_plain).then(|| self.expr(&alternative.weight, &params));
-                rule(condition, self.successor(child, &params), weight)
+                rule(condition, self.successor(child, &params), weight, alternative.priority)
             })
             .collect()
     }
 
+    /// Whether a node is one that rules have, apart from a shape's mark above it.
+    fn has_label(&self, node: NodeIndex) -> bool {
+        self.graph.name(node).is_some() || self.graph.is_shared(node) || node == self.graph.root
+    }
+
     /// Names for parameters: their own, unless a constant has them, which they would hide.
     fn params(&self, own: Vec<String>, arity: usize) -> Vec<String> {
-        let is_constant = |name: &String| self.graph.constants.iter().any(|(known, _)| known == name);
+        let is_constant = |name: &String| self.graph.constants.iter().any(|known| known.name == *name);
         let fresh = (0..).map(|at| format!("p{at}")).filter(|name| !is_constant(name) && !own.contains(name));
         let mut fresh = fresh.take(arity);
         let mut own = own.iter().map(|name| Some(name.clone()).filter(|name| !is_constant(name)));
@@ -130,7 +151,7 @@ impl<'g> Raising<'g> {
         }
         let is_leaf = self.graph.is_leaf(node);
         let is_root = node == self.graph.root;
-        *self.graph.op(node) == Op::Choose
+        matches!(self.graph.op(node), Op::Choose | Op::Shape(_))
             || is_root
             || (!is_leaf && (self.graph.is_shared(node) || self.graph.name(node).is_some()))
     }
@@ -144,7 +165,7 @@ impl<'g> Raising<'g> {
         };
         Successor::new(match graph.op(node) {
             Op::Nil => ast::Op::Nil,
-            Op::Primitive { name, material } => {
+            Op::Primitive { name, material, options } => {
                 let text = self.expr(name, params);
                 let material = material.as_ref().and_then(|material| {
                     let raised = self.expr(material, params);
@@ -152,7 +173,9 @@ impl<'g> Raising<'g> {
                     let is_own = matches!((name, material), (Expr::Thing(_), Expr::Constant(_)));
                     (!is_own || raised.kind != text.kind).then_some(raised)
                 });
-                ast::Op::Primitive { name: text, material }
+                let options =
+                    options.iter().map(|(option, value)| (Ident::new(option), self.expr(value, params)));
+                ast::Op::Primitive { name: text, material, options: options.collect() }
             }
             Op::Call(args) => {
                 let target = graph.children(node).next().map_or(node, |(_, child)| child);
@@ -161,12 +184,16 @@ impl<'g> Raising<'g> {
                     args: args.iter().map(|arg| self.expr(arg, params)).collect(),
                 }
             }
-            Op::Split { axis, .. } => {
-                ast::Op::Split { axis: self.expr(axis, params), items: self.items(node, params) }
-            }
-            Op::Repeat { axis, size } => ast::Op::Repeat {
+            Op::All => ast::Op::All(children.map(|(_, child)| self.successor(child, params)).collect()),
+            Op::Split { axis, snap, .. } => ast::Op::Split {
+                axis: self.expr(axis, params),
+                snap: snap.clone(),
+                items: self.items(node, params),
+            },
+            Op::Repeat { axis, size, snap } => ast::Op::Repeat {
                 axis: self.expr(axis, params),
                 size: self.expr(size, params),
+                snap: snap.clone(),
                 body: only(self),
             },
             Op::RepeatN { axis, count } => ast::Op::RepeatN {
@@ -174,24 +201,42 @@ impl<'g> Raising<'g> {
                 count: self.expr(count, params),
                 body: only(self),
             },
-            Op::Translate(delta) => ast::Op::Translate { delta: self.sizes(delta, params), body: only(self) },
-            Op::Resize(size) => ast::Op::Resize { size: self.sizes(size, params), body: only(self) },
-            Op::Rotate { axis, angle } => ast::Op::Rotate {
-                axis: self.expr(axis, params),
-                angle: self.expr(angle, params),
-                body: only(self),
-            },
-            Op::Comp => ast::Op::Comp {
-                parts: graph
-                    .children(node)
+            Op::Carve { how, args } => ast::Op::Carve {
+                how: *how,
+                args: args.iter().map(|arg| self.expr(arg, params)).collect(),
+                parts: children
                     .filter_map(|(arg, child)| match arg {
-                        Arg::Face(face) => Some((*face, self.successor(child, params))),
+                        Arg::Part(selector) => Some((selector.clone(), self.successor(child, params))),
                         _ => None,
                     })
                     .collect(),
             },
-            Op::Choose => unreachable!("a choice has rules of its own"),
+            Op::Snap { axis, label } => {
+                ast::Op::Snap { axis: self.expr(axis, params), label: label.as_ref().map(Ident::new) }
+            }
+            op @ (Op::Translate(_)
+            | Op::Resize(_)
+            | Op::Rotate { .. }
+            | Op::Local
+            | Op::Same(_)
+            | Op::Style(_)) => ast::Op::Within { change: self.change(op, params), body: only(self) },
+            Op::Choose | Op::Shape(_) => unreachable!("a choice and a marked shape have rules of their own"),
         })
+    }
+
+    fn change(&self, op: &Op, params: &[String]) -> ast::Change {
+        match op {
+            Op::Translate(delta) => ast::Change::Translate(self.sizes(delta, params)),
+            Op::Resize(size) => ast::Change::Resize(self.sizes(size, params)),
+            Op::Rotate { axis, angle } => {
+                ast::Change::Rotate { axis: self.expr(axis, params), angle: self.expr(angle, params) }
+            }
+            Op::Same(key) => ast::Change::Same(self.expr(key, params)),
+            Op::Style(at) => {
+                ast::Change::Style(Ident::new(self.graph.styles.get(*at).map_or("", |style| &style.name)))
+            }
+            _ => ast::Change::Local,
+        }
     }
 
     fn items(&mut self, node: NodeIndex, params: &[String]) -> Vec<Item> {
@@ -235,8 +280,20 @@ impl<'g> Raising<'g> {
         }
     }
 
-    fn constant(&self, name: &str, value: &Expr) -> Constant {
-        Constant { comments: Vec::new(), name: Ident::new(name), value: self.expr(value, &[]) }
+    fn constant(&self, known: &super::Constant) -> Constant {
+        let attribute = known.attribute.as_ref().map(|attribute| ast::Attribute {
+            range: attribute.range.as_ref().map(|[low, high]| [self.expr(low, &[]), self.expr(high, &[])]),
+            group: attribute.group.clone(),
+            about: attribute.about.clone(),
+        });
+        let name = Ident::new(&known.name);
+        Constant { comments: Vec::new(), name, value: self.expr(&known.value, &[]), attribute }
+    }
+
+    fn style(&self, style: &super::Style) -> ast::Style {
+        let name_of = |at: usize| Ident::new(self.graph.constants.get(at).map_or("", |known| &known.name));
+        let values = style.values.iter().map(|(at, value)| (name_of(*at), self.expr(value, &[])));
+        ast::Style { comments: Vec::new(), name: Ident::new(&style.name), values: values.collect() }
     }
 
     fn expr(&self, expr: &Expr, params: &[String]) -> ast::Expr {
@@ -244,10 +301,25 @@ impl<'g> Raising<'g> {
     }
 }
 
+/// The label that a node marks, if it marks one.
+fn shape_label(graph: &OpGraph, node: NodeIndex) -> Option<&str> {
+    match graph.op(node) {
+        Op::Shape(label) => Some(label),
+        _ => None,
+    }
+}
+
+fn only_child(graph: &OpGraph, node: NodeIndex) -> NodeIndex {
+    graph.children(node).next().map_or(node, |(_, child)| child)
+}
+
 /// An expression in the words of the text, with these names for the parameters.
 pub(super) fn raise_expr(graph: &OpGraph, expr: &Expr, params: &[String]) -> ast::Expr {
     let raise = |expr: &Expr| raise_expr(graph, expr, params);
     let inner = |expr: &Expr| Box::new(raise(expr));
+    let weighted = |parts: &[(Expr, Expr)]| {
+        parts.iter().map(|(weight, value)| (raise(weight), raise(value))).collect::<Vec<_>>()
+    };
     let name_of = |names: Option<&String>| ExprKind::Name(names.cloned().unwrap_or_default());
     ast::Expr::new(match expr {
         Expr::Number(number) if number.0 < 0.0 => {
@@ -256,15 +328,38 @@ pub(super) fn raise_expr(graph: &OpGraph, expr: &Expr, params: &[String]) -> ast
         Expr::Number(number) if number.0 == PI => ExprKind::Name("pi".to_owned()),
         Expr::Number(number) => ExprKind::Number(number.0),
         Expr::Axis(axis) => ExprKind::Name(axis.to_string()),
-        Expr::Thing(Thing::Name(name)) => ExprKind::Name(name.clone()),
-        Expr::Thing(Thing::Block(text)) => ExprKind::Block(text.clone()),
-        Expr::Thing(Thing::File(name)) => ExprKind::File(name.clone()),
+        Expr::Thing(thing) => return raise_thing(thing),
         Expr::Param(at) => name_of(params.get(*at)),
-        Expr::Constant(at) => name_of(graph.constants.get(*at).map(|(name, _)| name)),
+        Expr::Constant(at) => name_of(graph.constants.get(*at).map(|known| &known.name)),
         Expr::ScopeSize(axis) => ExprKind::ScopeSize(*axis),
         Expr::Unary(op, operand) => ExprKind::Unary(*op, inner(operand)),
         Expr::Binary(op, left, right) => ExprKind::Binary(*op, inner(left), inner(right)),
         Expr::Call(function, args) => ExprKind::Call(*function, args.iter().map(raise).collect()),
+        Expr::Share(share) => ExprKind::Share(*share),
+        Expr::Pick(parts) => ExprKind::Pick(weighted(parts)),
+        Expr::Mix(parts) => ExprKind::Mix(weighted(parts)),
+        Expr::Gradient(axis, blocks) => ExprKind::Gradient(inner(axis), blocks.iter().map(raise).collect()),
+        Expr::State(base, properties) => ExprKind::Block(format!("{}[{properties}]", raise(base))),
+        Expr::Same(key, value) => ExprKind::Same(inner(key), inner(value)),
+        Expr::Occlusion { against, distance } => {
+            ExprKind::Occlusion { against: against.clone(), distance: distance.as_deref().map(inner) }
+        }
+        Expr::Visible(label) => ExprKind::Visible(label.clone()),
+    })
+}
+
+fn raise_thing(thing: &Thing) -> ast::Expr {
+    let weighted =
+        |(weight, thing): &(super::Number, Thing)| (ast::Expr::number(weight.0), raise_thing(thing));
+    ast::Expr::new(match thing {
+        Thing::Name(name) => ExprKind::Name(name.clone()),
+        Thing::Block(text) => ExprKind::Block(text.clone()),
+        Thing::File(name) => ExprKind::File(name.clone()),
+        Thing::Mix(parts) => ExprKind::Mix(parts.iter().map(weighted).collect()),
+        Thing::Gradient(axis, parts) => ExprKind::Gradient(
+            Box::new(ast::Expr::name(axis.to_string())),
+            parts.iter().map(raise_thing).collect(),
+        ),
     })
 }
 
@@ -283,23 +378,6 @@ fn open_params(graph: &OpGraph) -> Vec<bool> {
 }
 
 fn uses_params(graph: &OpGraph, node: NodeIndex) -> bool {
-    let own = match graph.op(node) {
-        Op::Primitive { name, material } => {
-            name.uses_params() || material.as_ref().is_some_and(Expr::uses_params)
-        }
-        Op::Split { axis, .. } => axis.uses_params(),
-        Op::Repeat { axis, size: other }
-        | Op::RepeatN { axis, count: other }
-        | Op::Rotate { axis, angle: other } => axis.uses_params() || other.uses_params(),
-        Op::Translate(sizes) | Op::Resize(sizes) => sizes.iter().any(|size| size.value.uses_params()),
-        Op::Call(args) => args.iter().any(Expr::uses_params),
-        Op::Nil | Op::Comp | Op::Choose => false,
-    };
-    own || graph.children(node).any(|(arg, _)| match arg {
-        Arg::Size(size) => size.value.uses_params(),
-        Arg::Alternative(alternative) => {
-            alternative.weight.uses_params() || alternative.condition.as_ref().is_some_and(Expr::uses_params)
-        }
-        Arg::None | Arg::Face(_) => false,
-    })
+    let on_edges = graph.children(node).any(|(arg, _)| arg.exprs().any(Expr::uses_params));
+    on_edges || graph.op(node).exprs().any(Expr::uses_params)
 }

@@ -82,6 +82,7 @@ impl OpGraph {
             data_version: self.data_version,
             sizes: self.sizes.clone(),
             constants: self.constants.clone(),
+            styles: self.styles.clone(),
             preamble: self.preamble.clone(),
         };
         for (node, name) in &self.names {
@@ -118,9 +119,9 @@ impl PartialEq for OpGraph {
     fn eq(&self, other: &OpGraph) -> bool {
         let (a, b) = (self.unified(), other.unified());
         let constants =
-            |graph: &OpGraph| graph.constants.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>();
-        (a.up, a.data_version, &a.sizes, constants(&a), a.len())
-            == (b.up, b.data_version, &b.sizes, constants(&b), b.len())
+            |graph: &OpGraph| graph.constants.iter().map(|known| known.value.clone()).collect::<Vec<_>>();
+        (a.up, a.data_version, &a.sizes, constants(&a), &a.styles, a.len())
+            == (b.up, b.data_version, &b.sizes, constants(&b), &b.styles, b.len())
             && a.nodes().all(|node| a.op(node) == b.op(node) && a.children(node).eq(b.children(node)))
     }
 }

@@ -100,7 +100,7 @@ fn label_of<'g>(graph: &'g OpGraph, labels: &'g Labels, name: &'g Expr) -> Optio
     match name {
         Expr::Thing(thing) => Some(thing.text()),
         Expr::Constant(at) => {
-            let (name, _) = graph.constants.get(*at)?;
+            let name = &graph.constants.get(*at)?.name;
             Some(labels.get(name).unwrap_or(name))
         }
         _ => None,
@@ -137,7 +137,7 @@ impl<'g> Search<'g, '_> {
         let mut children = graph.children(node);
         match graph.op(node) {
             Op::Nil => self.target.is_empty(scope.bounds),
-            Op::Primitive { name, material: None } => {
+            Op::Primitive { name, material: None, options } if options.is_empty() => {
                 self.target.is_primitive(graph, self.labels, name, &scope)
             }
             Op::Choose => children.any(|(arg, child)| match arg {
@@ -148,10 +148,10 @@ impl<'g> Search<'g, '_> {
                 }
                 _ => false,
             }),
-            Op::Split { axis: Expr::Axis(axis), groups } if groups.is_empty() => {
+            Op::Split { axis: Expr::Axis(axis), snap: None, groups } if groups.is_empty() => {
                 self.split(node, *axis, scope)
             }
-            Op::Repeat { axis: Expr::Axis(axis), size: Expr::Number(size) } if size.0 >= 1.0 => {
+            Op::Repeat { axis: Expr::Axis(axis), size: Expr::Number(size), snap: None } if size.0 >= 1.0 => {
                 let count = (f64::from(scope.len(*axis)) / size.0).ceil();
                 self.repeat(node, *axis, count as u32, scope)
             }

@@ -10,7 +10,7 @@ use super::naming::{self, Places};
 use crate::block::{self, BlockState};
 use crate::grammar::ast::BinaryOp;
 use crate::grammar::{is_primitive, is_reserved};
-use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize, Thing};
+use crate::graph::{Alternative, Arg, Builder, Constant, Expr, NodeIndex, Op, Size, StartSize, Thing};
 use crate::neighbours::decided;
 use crate::space::{Axis, Bounds, Cell, Up};
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, exampl
     let Emitter { builder, constants, labels, nodes, places, .. } = emitter;
     let places = naming::places(kinds, &nodes, places);
     let (mut graph, kept) = builder.finish(root);
-    let labels = constants.iter().map(|(name, _)| name.clone()).zip(labels).collect();
+    let labels = constants.iter().map(|known| known.name.clone()).zip(labels).collect();
     graph.constants = constants;
     graph.sizes = sizes(examples);
     graph.data_version = data_version(examples);
@@ -43,7 +43,7 @@ pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, exampl
 
 struct Emitter {
     builder: Builder,
-    constants: Vec<(String, Expr)>,
+    constants: Vec<Constant>,
     /// The labels that the constants stand for.
     labels: Vec<String>,
     /// The node of each kind.
@@ -96,7 +96,7 @@ impl Emitter {
         let size = |len: i32| Size::absolute(Expr::number(f64::from(len)));
         let parts = unit.iter().map(|(len, kind)| (size(*len), self.node(*kind))).collect();
         let body = self.builder.split(Expr::Axis(axis), parts);
-        let op = Op::Repeat { axis: Expr::Axis(axis), size: Expr::number(f64::from(period)) };
+        let op = Op::Repeat { axis: Expr::Axis(axis), size: Expr::number(f64::from(period)), snap: None };
         self.builder.node(op, vec![(Arg::None, body)])
     }
 
@@ -124,7 +124,8 @@ impl Emitter {
         let at = self.labels.iter().position(|known| known == label).unwrap_or_else(|| {
             let color = COLOURS[self.constants.len() % COLOURS.len()];
             let name = self.free_name(label);
-            self.constants.push((name, Expr::name(format!("{color}_concrete"))));
+            let value = Expr::name(format!("{color}_concrete"));
+            self.constants.push(Constant { name, value, attribute: None });
             self.labels.push(label.to_owned());
             self.labels.len() - 1
         });
@@ -137,7 +138,7 @@ impl Emitter {
         let is_free = |name: &String| {
             !is_reserved(name)
                 && block::known(name).is_none()
-                && self.constants.iter().all(|(known, _)| known != name)
+                && self.constants.iter().all(|known| known.name != *name)
         };
         let numbered = (2..).map(|number| format!("{name}_{number}"));
         std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or_default()
@@ -169,7 +170,7 @@ impl Emitter {
         }
         let alternatives = seen.into_iter().map(|(node, sizes, weight)| {
             let condition = size_condition(&varying, &sizes);
-            (Arg::Alternative(Alternative { condition, weight: Expr::number(weight) }), node)
+            (Arg::Alternative(Alternative { condition, ..Alternative::plain(Expr::number(weight)) }), node)
         });
         let alternatives = alternatives.collect();
         self.builder.node(Op::Choose, alternatives)

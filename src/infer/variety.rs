@@ -25,7 +25,7 @@ fn ways_of(graph: &OpGraph, node: NodeIndex, ways: &[f64]) -> f64 {
 fn ways_of_arg(arg: &Arg) -> f64 {
     match arg {
         Arg::Size(size) => lengths(&size.value),
-        Arg::None | Arg::Face(_) | Arg::Alternative(_) => 1.0,
+        Arg::None | Arg::Part(_) | Arg::Alternative(_) => 1.0,
     }
 }
 

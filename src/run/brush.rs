@@ -3,19 +3,24 @@
 use super::Library;
 use super::derive::Placement;
 use super::error::Kind;
+use super::place::Place;
 use super::ramp::Slope;
 use super::solid;
 use crate::block::{self, BlockState, Facing, Family, Shape};
 use crate::grammar::is_primitive;
 use crate::graph::Thing;
 use crate::grid::Grid;
-use crate::space::{Bounds, Cell, Scope, Turn};
+use crate::space::{Axis, Bounds, Cell, Scope, Turn};
 use rustc_hash::FxHashMap;
 
 /// What a primitive is made of and how it fills its scope.
 enum Brush<'l> {
     /// One block state everywhere.
     Fill(BlockState),
+    /// A block by weight for each cell; the weights are sums up to each.
+    Mix(Vec<(f64, BlockState)>),
+    /// Blocks that pass into one another along an axis of the scope.
+    Gradient(Axis, Vec<BlockState>),
     /// A solid with slopes.
     Solid(Slope, Box<Family>),
     /// Doors side by side.
@@ -31,11 +36,14 @@ pub struct Brushes<'l, 'g> {
     known: FxHashMap<(&'g Thing, Option<&'g Thing>), usize>,
     /// Palette numbers of filled blocks, by brush and turn.
     fills: FxHashMap<(usize, Turn), u16>,
+    /// From which the cells of mixes draw.
+    place: Place,
 }
 
 impl<'l, 'g> Brushes<'l, 'g> {
-    pub fn new(library: &'l Library) -> Brushes<'l, 'g> {
-        Brushes { library, brushes: Vec::new(), known: FxHashMap::default(), fills: FxHashMap::default() }
+    pub fn new(library: &'l Library, seed: u64) -> Brushes<'l, 'g> {
+        let (known, fills) = (FxHashMap::default(), FxHashMap::default());
+        Brushes { library, brushes: Vec::new(), known, fills, place: Place::start(seed).named("mix") }
     }
 
     /// Puts a primitive into the grid. Its scope lies inside.
@@ -54,6 +62,23 @@ impl<'l, 'g> Brushes<'l, 'g> {
                     }
                 };
                 grid.fill(scope.bounds, id);
+                Ok(())
+            }
+            Brush::Mix(parts) => {
+                let ids = interned(grid, parts.iter().map(|(_, state)| state), scope)?;
+                let total = parts.last().map_or(0.0, |(sum, _)| *sum);
+                for cell in scope.bounds.cells() {
+                    let draw = noise(self.place, cell) * total;
+                    grid.set(cell, ids[parts.partition_point(|(sum, _)| *sum <= draw).min(ids.len() - 1)]);
+                }
+                Ok(())
+            }
+            Brush::Gradient(axis, blocks) => {
+                let ids = interned(grid, blocks.iter(), scope)?;
+                for cell in scope.bounds.cells() {
+                    let step = (ids.len() - 1) as f64 * scope.along(*axis, cell) + noise(self.place, cell);
+                    grid.set(cell, ids[(step as usize).min(ids.len() - 1)]);
+                }
                 Ok(())
             }
             Brush::Solid(slope, family) => build_solid(grid, *slope, family, scope),
@@ -78,6 +103,7 @@ impl<'l, 'g> Brushes<'l, 'g> {
                 self.library.get(file).map(Brush::Stamp).ok_or_else(|| Kind::NoFile(file.clone()))
             }
             (Thing::Name(name), material) if is_primitive(name) => shape_brush(name, material),
+            (Thing::Mix(_) | Thing::Gradient(..), None) => blend(name),
             (thing, None) => block_of(thing).map(Brush::Fill),
             // A second argument to anything but a shape is what it is made of.
             (_, Some(material)) => block_of(material).map(Brush::Fill),
@@ -103,17 +129,57 @@ fn shape_brush<'l>(name: &str, material: Option<&Thing>) -> Result<Brush<'l>, Ki
         plain => {
             let fallback = if plain == "window" { "glass" } else { "stone_bricks" };
             let fallback = Thing::Name(fallback.to_owned());
-            let made_of = block_of(material.unwrap_or(&fallback));
-            return made_of.map(Brush::Fill);
+            return match material.unwrap_or(&fallback) {
+                blended @ (Thing::Mix(_) | Thing::Gradient(..)) => blend(blended),
+                plain => block_of(plain).map(Brush::Fill),
+            };
         }
     };
     family_of(material, "dark_oak").map(|family| Brush::Solid(slope, Box::new(family)))
+}
+
+/// A brush of several blocks.
+fn blend<'l>(thing: &Thing) -> Result<Brush<'l>, Kind> {
+    Ok(match thing {
+        Thing::Mix(parts) => {
+            let mut sum = 0.0;
+            let mut sums = Vec::with_capacity(parts.len());
+            for (weight, thing) in parts {
+                sum += weight.0;
+                sums.push((sum, block_of(thing)?));
+            }
+            match sum > 0.0 {
+                true => Brush::Mix(sums),
+                false => return Err(Kind::Weight(sum)),
+            }
+        }
+        Thing::Gradient(axis, parts) => {
+            Brush::Gradient(*axis, parts.iter().map(block_of).collect::<Result<_, _>>()?)
+        }
+        thing => Brush::Fill(block_of(thing)?),
+    })
+}
+
+/// A number from 0 up to 1 that a cell has in every run of one seed.
+fn noise(place: Place, cell: Cell) -> f64 {
+    let [x, y, z] = cell.to_array().map(|length| length as usize);
+    place.child(x).child(y).child(z).number() as f64 / (1u64 << 53) as f64
+}
+
+/// The palette numbers of blocks as they are turned in a scope.
+fn interned<'b>(
+    grid: &mut Grid,
+    blocks: impl Iterator<Item = &'b BlockState>,
+    scope: &Scope,
+) -> Result<Vec<u16>, Kind> {
+    blocks.map(|state| intern(grid, &state.turned(scope.frame.turn))).collect()
 }
 
 fn block_of(thing: &Thing) -> Result<BlockState, Kind> {
     thing.block().ok_or_else(|| match thing {
         Thing::Name(name) | Thing::Block(name) => Kind::NoThing(name.clone()),
         Thing::File(file) => Kind::NoFile(file.clone()),
+        Thing::Mix(_) | Thing::Gradient(..) => Kind::NoThing(thing.text().to_owned()),
     })
 }
 

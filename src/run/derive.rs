@@ -1,13 +1,13 @@
 //! The derivation: operations run on scopes until only primitives are left (seed 1, section 4.1).
 
+use super::carve::{Part, carve};
 use super::error::{Kind, RunError, Warning};
-use super::eval::{Env, Value};
+use super::eval::{Around, Env, Site, Things, Value, World};
 use super::place::Place;
 use super::rhythm::written_out;
-use super::shell::shell;
 use super::start::weighted;
 use super::{Options, Overrun};
-use crate::grammar::ast::SizeKind;
+use crate::grammar::ast::{Carving, SizeKind};
 use crate::graph::{Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
 use crate::space::{Axis, Bounds, Cell, Length, Misfit, Scope, Turn, clip, fit, shares};
 use smallvec::SmallVec;
@@ -24,10 +24,11 @@ const MOST_OPEN: f64 = (1 << 22) as f64;
 type Few<T> = SmallVec<[T; 8]>;
 
 /// A primitive and the scope it fills.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Placement<'g> {
     pub name: &'g Thing,
     pub material: Option<&'g Thing>,
+    pub options: SmallVec<[(&'g str, Value<'g>); 0]>,
     pub scope: Scope,
 }
 
@@ -41,22 +42,23 @@ pub type Sink<'s, 'g> = dyn FnMut(Placement<'g>) -> Result<(), Kind> + 's;
 /// overlap, later ones overwrite earlier ones. Scopes of no volume are skipped.
 pub fn derive<'g>(
     graph: &'g OpGraph,
+    things: &'g Things,
     start: Scope,
     options: &Options,
     sink: &mut Sink<'_, 'g>,
 ) -> Result<Vec<Warning>, RunError> {
-    let constants = constants(graph, options.seed).map_err(RunError::anywhere)?;
+    let world = World::new(graph, things, options.seed).map_err(RunError::anywhere)?;
     let root = Task {
         node: graph.root(),
-        scope: start,
-        params: Rc::from([]),
+        site: Site { scope: start, index: 0, total: 1 },
+        around: Rc::new(Around::start(options.seed)),
         place: Place::start(options.seed),
         depth: 0,
     };
     let plot = start.bounds;
     let mut derivation = Derivation {
         graph,
-        constants,
+        world,
         options,
         plot,
         sink,
@@ -72,42 +74,41 @@ pub fn derive<'g>(
     Ok(told.map(|(node, (kind, times))| Warning { error: RunError::at(graph, node, kind), times }).collect())
 }
 
-/// The values of the constants, each drawn from a stream of its own name.
-pub fn constants(graph: &OpGraph, seed: u64) -> Result<Vec<Value<'_>>, Kind> {
-    let mut values = Vec::with_capacity(graph.constants.len());
-    for (name, value) in &graph.constants {
-        let place = Place::start(seed).named(name);
-        let value = Env::new(&values, &[], None, place).value(value)?;
-        values.push(value);
-    }
-    Ok(values)
-}
-
 /// An operation that is still to run, and where.
 struct Task<'g> {
     node: NodeIndex,
-    scope: Scope,
-    params: Rc<[Value<'g>]>,
+    site: Site,
+    around: Rc<Around<'g>>,
     place: Place,
     depth: u32,
 }
 
 impl<'g> Task<'g> {
+    fn scope(&self) -> &Scope {
+        &self.site.scope
+    }
+
     /// The task of the child of that number, in `scope`.
     fn child(&self, number: usize, node: NodeIndex, scope: Scope) -> Task<'g> {
         Task {
             node,
-            scope,
-            params: self.params.clone(),
+            site: Site { scope, ..self.site },
+            around: self.around.clone(),
             place: self.place.child(number),
             depth: self.depth + 1,
         }
+    }
+
+    /// As [`Task::child`], for one of the shares of a split.
+    fn share(&self, number: usize, total: usize, node: NodeIndex, scope: Scope) -> Task<'g> {
+        let site = Site { scope, index: number as u32, total: total as u32 };
+        Task { site, ..self.child(number, node, scope) }
     }
 }
 
 struct Derivation<'a, 's, 'g> {
     graph: &'g OpGraph,
-    constants: Vec<Value<'g>>,
+    world: World<'g>,
     options: &'a Options,
     plot: Bounds,
     sink: &'a mut Sink<'s, 'g>,
@@ -125,9 +126,15 @@ impl<'g> Derivation<'_, '_, 'g> {
         let graph = self.graph;
         match graph.op(task.node) {
             Op::Nil => Ok(()),
-            Op::Primitive { name, material } => self.primitive(&task, name, material.as_ref()),
-            Op::Split { axis, groups } => self.split(&task, axis, groups),
-            Op::Repeat { axis, size } => {
+            Op::Primitive { name, material, options } => {
+                self.primitive(&task, name, material.as_ref(), options)
+            }
+            Op::All => {
+                self.all(&task);
+                Ok(())
+            }
+            Op::Split { axis, groups, .. } => self.split(&task, axis, groups),
+            Op::Repeat { axis, size, .. } => {
                 let (axis, count) = self.as_often_as_fits(&task, axis, size)?;
                 self.repeat(&task, axis, count)
             }
@@ -137,20 +144,22 @@ impl<'g> Derivation<'_, '_, 'g> {
             }
             Op::Translate(delta) => {
                 let delta = self.lengths(&task, delta)?;
-                self.only(&task, task.scope.moved(delta))
+                self.only(&task, task.site.scope.moved(delta))
             }
             Op::Resize(size) => {
                 let size = self.lengths(&task, size)?;
-                self.only(&task, task.scope.resized(size.max(Cell::ZERO)))
+                self.only(&task, task.site.scope.resized(size.max(Cell::ZERO)))
             }
             Op::Rotate { axis, angle } => {
                 let turn = self.turn(&task, axis, angle)?;
-                self.only(&task, task.scope.turned(turn))
+                self.only(&task, task.site.scope.turned(turn))
             }
-            Op::Comp => {
-                self.comp(&task);
-                Ok(())
-            }
+            Op::Carve { how, args } => self.carve(&task, *how, args),
+            Op::Local => self.around(&task, Around { local: task.place, ..(*task.around).clone() }),
+            Op::Same(key) => self.same(&task, key),
+            Op::Style(style) => self.around(&task, Around { style: style + 1, ..(*task.around).clone() }),
+            Op::Snap { .. } => Ok(()),
+            Op::Shape(_) => self.only(&task, *task.scope()),
             Op::Choose => self.choose(&task),
             Op::Call(args) => self.call(&task, args),
         }
@@ -168,13 +177,44 @@ impl<'g> Derivation<'_, '_, 'g> {
     }
 
     fn env<'t>(&'t self, task: &'t Task<'g>) -> Env<'t, 'g> {
-        Env::new(&self.constants, &task.params, Some(&task.scope), task.place)
+        Env::new(&self.world, &task.around, Some(&task.site), task.place)
     }
 
-    fn push(&mut self, task: Task<'g>) {
-        if !task.scope.is_empty() {
+    /// Children without a block are skipped, but those of a scope that was carved flat: `S` may give it depth.
+    fn push(&mut self, parent: &Task<'g>, task: Task<'g>) {
+        if !task.scope().is_empty() || parent.scope().is_empty() {
             self.stack.push(task);
         }
+    }
+
+    /// Runs the only child with other surroundings.
+    fn around(&mut self, task: &Task<'g>, around: Around<'g>) -> Step {
+        let graph = self.graph;
+        let around = Rc::new(around);
+        for (_, child) in graph.children(task.node) {
+            self.push(task, Task { around: around.clone(), ..task.child(0, child, *task.scope()) });
+        }
+        Ok(())
+    }
+
+    /// Runs the only child as if it stood at the place of a key.
+    fn same(&mut self, task: &Task<'g>, key: &'g Expr) -> Step {
+        let graph = self.graph;
+        let place = self.env(task).keyed(key)?;
+        for (_, child) in graph.children(task.node) {
+            self.push(task, Task { place, ..task.child(0, child, *task.scope()) });
+        }
+        Ok(())
+    }
+
+    /// Runs every child in the same scope.
+    fn all(&mut self, task: &Task<'g>) {
+        let graph = self.graph;
+        let first = self.stack.len();
+        for (number, (_, child)) in graph.children(task.node).enumerate() {
+            self.push(task, task.child(number, child, *task.scope()));
+        }
+        self.stack[first..].reverse();
     }
 
     fn warn(&mut self, node: NodeIndex, kind: Kind) {
@@ -182,15 +222,25 @@ impl<'g> Derivation<'_, '_, 'g> {
     }
 
     /// Hands a primitive on. A door without room is a warning: the rest of the building still stands.
-    fn primitive(&mut self, task: &Task<'g>, name: &'g Expr, material: Option<&'g Expr>) -> Step {
+    fn primitive(
+        &mut self,
+        task: &Task<'g>,
+        name: &'g Expr,
+        material: Option<&'g Expr>,
+        options: &'g [(String, Expr)],
+    ) -> Step {
         let mut env = self.env(task);
         let name = env.thing(name)?;
         let material = material.map(|material| env.thing(material)).transpose()?;
+        let mut values = SmallVec::new();
+        for (option, value) in options {
+            values.push((option.as_str(), env.value(value)?));
+        }
         let scope = self.inside(task)?;
         if scope.is_empty() {
             return Ok(());
         }
-        match (self.sink)(Placement { name, material, scope }) {
+        match (self.sink)(Placement { name, material, options: values, scope }) {
             Err(kind @ Kind::NoRoomForDoor) => {
                 self.warn(task.node, kind);
                 Ok(())
@@ -202,14 +252,14 @@ impl<'g> Derivation<'_, '_, 'g> {
     /// The part of a primitive's scope that lies inside the start scope. What leaves it is told only here:
     /// `T` may move a scope out that `S` then makes small enough.
     fn inside(&mut self, task: &Task<'g>) -> Result<Scope, Kind> {
-        let bounds = task.scope.bounds.intersect(&self.plot);
-        if bounds != task.scope.bounds {
+        let bounds = task.site.scope.bounds.intersect(&self.plot);
+        if bounds != task.site.scope.bounds {
             match self.options.overrun {
                 Overrun::Refuse => return Err(Kind::OutsidePlot),
                 Overrun::Clip => self.warn(task.node, Kind::OutsidePlot),
             }
         }
-        Ok(Scope { bounds, ..task.scope })
+        Ok(Scope { bounds, ..task.site.scope })
     }
 
     /// Runs the only child in `scope`.
@@ -219,14 +269,14 @@ impl<'g> Derivation<'_, '_, 'g> {
         }
         let graph = self.graph;
         for (_, child) in graph.children(task.node) {
-            self.push(task.child(0, child, scope));
+            self.push(task, task.child(0, child, scope));
         }
         Ok(())
     }
 
     fn split(&mut self, task: &Task<'g>, axis: &'g Expr, groups: &'g [Group]) -> Step {
         let axis = self.env(task).axis(axis)?;
-        let total = task.scope.len(axis);
+        let total = task.site.scope.len(axis);
         let (mut lengths, mut children) = self.parts(task, total)?;
         if !groups.is_empty() {
             let order = written_out(&lengths, groups, total)?;
@@ -234,9 +284,12 @@ impl<'g> Derivation<'_, '_, 'g> {
             children = order.iter().map(|at| children[*at]).collect();
         }
         let bounds = self.fitted(task, axis, total, &lengths)?;
+        let count = children.len();
         for (number, child) in children.into_iter().enumerate().rev() {
-            let part = task.scope.part(axis, bounds[number], bounds[number + 1]);
-            self.push(task.child(number, child, part));
+            if bounds[number] < bounds[number + 1] {
+                let part = task.site.scope.part(axis, bounds[number], bounds[number + 1]);
+                self.push(task, task.share(number, count, child, part));
+            }
         }
         Ok(())
     }
@@ -278,7 +331,7 @@ impl<'g> Derivation<'_, '_, 'g> {
         let mut env = self.env(task);
         let (axis, size) = (env.axis(axis)?, env.number(size)?);
         match size > 0.0 {
-            true => Ok((axis, (f64::from(task.scope.len(axis)) / size - NOISE).ceil().max(1.0))),
+            true => Ok((axis, (f64::from(task.site.scope.len(axis)) / size - NOISE).ceil().max(1.0))),
             false => Err(Kind::Step { what: "size", value: size }),
         }
     }
@@ -303,7 +356,7 @@ impl<'g> Derivation<'_, '_, 'g> {
 
     fn repeat(&mut self, task: &Task<'g>, axis: Axis, count: f64) -> Step {
         let graph = self.graph;
-        let total = task.scope.len(axis);
+        let total = task.site.scope.len(axis);
         if count > self.options.limits.steps as f64 {
             return Err(Kind::TooManySteps(self.options.limits.steps));
         }
@@ -317,8 +370,8 @@ impl<'g> Derivation<'_, '_, 'g> {
             for (number, (low, high)) in
                 shares(total, count as u32).enumerate().filter(|(_, (low, high))| low < high)
             {
-                let part = task.scope.part(axis, low, high);
-                self.push(task.child(number, child, part));
+                let part = task.site.scope.part(axis, low, high);
+                self.push(task, task.share(number, count as usize, child, part));
             }
         }
         self.stack[first..].reverse();
@@ -331,54 +384,63 @@ impl<'g> Derivation<'_, '_, 'g> {
         let mut lengths = Cell::ZERO;
         for (axis, size) in Axis::ALL.into_iter().zip(sizes) {
             let (Length::Absolute(size) | Length::Floating(size)) =
-                length(size, task.scope.len(axis), &mut env)?;
+                length(size, task.site.scope.len(axis), &mut env)?;
             lengths[axis.index()] = (size + 0.5).floor().clamp(-f64::from(FAR), f64::from(FAR)) as i32;
         }
         Ok(lengths)
     }
 
-    fn comp(&mut self, task: &Task<'g>) {
-        let faces = self.graph.children(task.node).filter_map(|(arg, child)| match arg {
-            Arg::Face(face) => Some((*face, child)),
+    fn carve(&mut self, task: &Task<'g>, how: Carving, args: &'g [Expr]) -> Step {
+        let mut env = self.env(task);
+        let mut numbers = Few::new();
+        for arg in args {
+            numbers.push((env.number(arg)? + 0.5).floor().clamp(0.0, f64::from(FAR)) as i32);
+        }
+        let parts = self.graph.children(task.node).filter_map(|(arg, child)| match arg {
+            Arg::Part(selector) => Some((selector, child)),
             _ => None,
         });
-        for (number, child, face) in shell(&task.scope, &faces.collect::<Vec<_>>()).into_iter().rev() {
-            self.push(task.child(number, child, face));
+        let carved = carve(how, &numbers, task.scope(), &parts.collect::<Few<_>>());
+        for Part { number, child, scope } in carved.into_iter().rev() {
+            self.stack.push(task.child(number, child, scope));
         }
+        Ok(())
     }
 
     fn choose(&mut self, task: &Task<'g>) -> Step {
         let graph = self.graph;
         let mut env = self.env(task);
         let (mut weights, mut open) = (Few::new(), Few::new());
+        let mut level = u32::MAX;
         for (number, (arg, child)) in graph.children(task.node).enumerate() {
             let Arg::Alternative(alternative) = arg else { continue };
+            if alternative.priority > level {
+                continue;
+            }
             if alternative.condition.as_ref().map_or(Ok(true), |condition| env.truth(condition))? {
+                if alternative.priority < level {
+                    (weights, open, level) = (Few::new(), Few::new(), alternative.priority);
+                }
                 weights.push(env.number(&alternative.weight)?);
                 open.push((number, child));
             }
         }
         if open.is_empty() {
-            return Err(Kind::NoRule { scope: Axis::ALL.map(|axis| task.scope.len(axis)).into() });
+            return Err(Kind::NoRule { scope: Axis::ALL.map(|axis| task.site.scope.len(axis)).into() });
         }
         let draw = if open.len() > 1 { env.draw() } else { 0.0 };
         let (number, child) = open[weighted(&weights, draw)?];
-        self.push(task.child(number, child, task.scope));
+        self.push(task, task.child(number, child, *task.scope()));
         Ok(())
     }
 
     fn call(&mut self, task: &Task<'g>, args: &'g [Expr]) -> Step {
-        let graph = self.graph;
         let mut env = self.env(task);
         let mut params = Few::new();
         for arg in args {
             params.push(env.value(arg)?);
         }
-        let params: Rc<[Value<'g>]> = Rc::from(params.as_slice());
-        for (_, child) in graph.children(task.node) {
-            self.push(Task { params: params.clone(), ..task.child(0, child, task.scope) });
-        }
-        Ok(())
+        self.around(task, Around { params: Rc::from(params.as_slice()), ..(*task.around).clone() })
     }
 }
 

@@ -1,10 +1,13 @@
 use super::error::Kind;
 use super::place::Place;
-use crate::grammar::ast::{BinaryOp, Function, UnaryOp};
-use crate::graph::{Expr, Thing};
+use super::start::weighted;
+use crate::grammar::ast::{BinaryOp, Function, Share, UnaryOp};
+use crate::graph::{Expr, Number, OpGraph, Thing};
 use crate::space::{Axis, Scope};
+use elsa::index_set::FrozenIndexSet;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
+use std::rc::Rc;
 
 /// What an expression evaluates to. Conditions are numbers: zero is false, all else true.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -24,11 +27,78 @@ impl Value<'_> {
     }
 }
 
+/// Blocks that a run makes out of others, mixes and changed states, each kept once.
+#[derive(Default)]
+pub struct Things(FrozenIndexSet<Box<Thing>>);
+
+impl Things {
+    fn keep(&self, thing: Thing) -> &Thing {
+        self.0.insert(Box::new(thing))
+    }
+}
+
+/// What is the same all over a run.
+pub struct World<'g> {
+    things: &'g Things,
+    seed: u64,
+    /// The values of the constants: those of the file, then those of each style.
+    constants: Vec<Vec<Value<'g>>>,
+}
+
+impl<'g> World<'g> {
+    /// Draws the constants, each from a stream of its own name.
+    pub fn new(graph: &'g OpGraph, things: &'g Things, seed: u64) -> Result<World<'g>, Kind> {
+        let mut world = World { things, seed, constants: Vec::new() };
+        for style in 0..=graph.styles.len() {
+            world.constants.push(Vec::with_capacity(graph.constants.len()));
+            for at in 0..graph.constants.len() {
+                let value = world.constant(graph, style, at)?;
+                world.constants[style].push(value);
+            }
+        }
+        Ok(world)
+    }
+
+    fn constant(&self, graph: &'g OpGraph, style: usize, at: usize) -> Result<Value<'g>, Kind> {
+        let constant = &graph.constants[at];
+        let styled = style.checked_sub(1).and_then(|style| {
+            graph.styles[style].values.iter().find(|(styled, _)| *styled == at).map(|(_, value)| value)
+        });
+        let place = Place::start(self.seed).named(&constant.name);
+        let around = Around { style, ..Around::start(self.seed) };
+        Ok(Env::new(self, &around, None, place).value(styled.unwrap_or(&constant.value))?)
+    }
+}
+
+/// What an operation inherits from those around it.
+#[derive(Clone)]
+pub struct Around<'g> {
+    pub params: Rc<[Value<'g>]>,
+    /// The constants' table: 0, or the number of the style and one.
+    pub style: usize,
+    /// The place from which coherent draws start.
+    pub local: Place,
+}
+
+impl Around<'_> {
+    pub fn start(seed: u64) -> Self {
+        Around { params: Rc::from([]), style: 0, local: Place::start(seed) }
+    }
+}
+
+/// A scope and where it stands among those of the split or repeat around it.
+#[derive(Clone, Copy, Debug)]
+pub struct Site {
+    pub scope: Scope,
+    pub index: u32,
+    pub total: u32,
+}
+
 /// What the expressions of one operation can see, and the random stream of its place.
 pub struct Env<'a, 'g> {
-    pub constants: &'a [Value<'g>],
-    pub params: &'a [Value<'g>],
-    pub scope: Option<&'a Scope>,
+    world: &'a World<'g>,
+    around: &'a Around<'g>,
+    site: Option<&'a Site>,
     stream: Stream,
 }
 
@@ -42,13 +112,8 @@ enum Stream {
 pub type Eval<T> = Result<T, Box<Kind>>;
 
 impl<'a, 'g> Env<'a, 'g> {
-    pub fn new(
-        constants: &'a [Value<'g>],
-        params: &'a [Value<'g>],
-        scope: Option<&'a Scope>,
-        place: Place,
-    ) -> Self {
-        Env { constants, params, scope, stream: Stream::At(place) }
+    pub fn new(world: &'a World<'g>, around: &'a Around<'g>, site: Option<&'a Site>, place: Place) -> Self {
+        Env { world, around, site, stream: Stream::At(place) }
     }
 
     pub fn number(&mut self, expr: &'g Expr) -> Eval<f64> {
@@ -88,16 +153,71 @@ impl<'a, 'g> Env<'a, 'g> {
             Expr::Number(number) => Value::Number(number.0),
             Expr::Axis(axis) => Value::Axis(*axis),
             Expr::Thing(thing) => Value::Thing(thing),
-            Expr::Param(at) => self.params[*at],
-            Expr::Constant(at) => self.constants[*at],
+            Expr::Param(at) => self.around.params[*at],
+            Expr::Constant(at) => self.world.constants[self.around.style][*at],
             Expr::ScopeSize(axis) => {
-                Value::Number(self.scope.map_or(0.0, |scope| f64::from(scope.len(*axis))))
+                Value::Number(self.site.map_or(0.0, |site| f64::from(site.scope.len(*axis))))
             }
+            Expr::Share(share) => Value::Number(self.site.map_or(0.0, |site| match share {
+                Share::Index => f64::from(site.index),
+                Share::Total => f64::from(site.total),
+            })),
             Expr::Unary(UnaryOp::Negate, operand) => Value::Number(-self.number(operand)?),
             Expr::Unary(UnaryOp::Not, operand) => truth(!self.truth(operand)?),
             Expr::Binary(op, left, right) => self.binary(*op, left, right)?,
             Expr::Call(function, args) => Value::Number(self.call(*function, args)?),
+            Expr::Pick(parts) => self.pick(parts)?,
+            Expr::Mix(parts) => {
+                let parts = self.weighted(parts)?;
+                Value::Thing(self.world.things.keep(Thing::Mix(parts)))
+            }
+            Expr::Gradient(axis, blocks) => {
+                let axis = self.axis(axis)?;
+                let blocks = blocks.iter().map(|block| self.thing(block).cloned()).collect::<Eval<_>>()?;
+                Value::Thing(self.world.things.keep(Thing::Gradient(axis, blocks)))
+            }
+            Expr::State(base, properties) => {
+                let changed = self.thing(base)?.with(properties);
+                Value::Thing(self.world.things.keep(changed))
+            }
+            Expr::Same(key, value) => {
+                let place = self.keyed(key)?;
+                Env::new(self.world, self.around, self.site, place).value(value)?
+            }
+            Expr::Occlusion { .. } | Expr::Visible(_) => truth(false),
         })
+    }
+
+    /// The place that a key stands for.
+    pub fn keyed(&mut self, key: &'g Expr) -> Eval<Place> {
+        let local = self.around.local;
+        Ok(match self.value(key)? {
+            Value::Number(number) => local.keyed(&number.to_bits().to_le_bytes()),
+            Value::Axis(axis) => local.keyed(axis.to_string().as_bytes()),
+            Value::Thing(thing) => local.keyed(thing.text().as_bytes()),
+        })
+    }
+
+    fn pick(&mut self, parts: &'g [(Expr, Expr)]) -> Eval<Value<'g>> {
+        let mut weights = Vec::with_capacity(parts.len());
+        for (weight, _) in parts {
+            weights.push(self.number(weight)?);
+        }
+        let draw = self.draw();
+        let at = weighted(&weights, draw).map_err(Box::new)?;
+        self.value(&parts[at].1)
+    }
+
+    fn weighted(&mut self, parts: &'g [(Expr, Expr)]) -> Eval<Vec<(Number, Thing)>> {
+        let mut out = Vec::with_capacity(parts.len());
+        for (weight, thing) in parts {
+            let weight = self.number(weight)?;
+            if weight < 0.0 {
+                return Err(Box::new(Kind::Weight(weight)));
+            }
+            out.push((Number(weight), self.thing(thing)?.clone()));
+        }
+        Ok(out)
     }
 
     fn binary(&mut self, op: BinaryOp, left: &'g Expr, right: &'g Expr) -> Eval<Value<'g>> {
@@ -132,6 +252,8 @@ impl<'a, 'g> Env<'a, 'g> {
             (Function::Rand, &[low, high]) => low + (high - low) * self.draw(),
             (Function::Rand, _) => self.draw(),
             (Function::Randint, &[low, high]) => self.integer(low, high)?,
+            (Function::Gauss, &[mean, deviation]) => mean + deviation * self.normal(),
+            (Function::Triangular, &[low, mode, high]) => self.triangular(low, mode, high),
             (Function::Min, numbers) => numbers.iter().copied().fold(f64::INFINITY, f64::min),
             (Function::Max, numbers) => numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             (Function::Abs, &[number]) => number.abs(),
@@ -145,6 +267,24 @@ impl<'a, 'g> Env<'a, 'g> {
     /// A number from 0 up to 1.
     pub fn draw(&mut self) -> f64 {
         self.stream().random()
+    }
+
+    /// A number of the standard normal distribution, by the method of Box and Muller (1958). The logarithm and the
+    /// cosine are those of a library, so that every machine draws the same.
+    fn normal(&mut self) -> f64 {
+        let (radius, angle) = (1.0 - self.draw(), self.draw());
+        libm::sqrt(-2.0 * libm::log(radius)) * libm::cos(std::f64::consts::TAU * angle)
+    }
+
+    /// A number of the triangular distribution, from a draw of its inverse.
+    fn triangular(&mut self, low: f64, mode: f64, high: f64) -> f64 {
+        let (low, high) = (low.min(high), low.max(high));
+        let mode = mode.clamp(low, high);
+        let (width, draw) = (high - low, self.draw());
+        match draw * width < mode - low {
+            true => low + libm::sqrt(draw * width * (mode - low)),
+            false => high - libm::sqrt((1.0 - draw) * width * (high - mode)),
+        }
     }
 
     /// A whole number from `low` to `high`, both included, whichever way round they are.

@@ -2,13 +2,13 @@
 //! Knows nothing of inference or files.
 
 mod brush;
+mod carve;
 mod derive;
 mod error;
 mod eval;
 mod place;
 mod ramp;
 mod rhythm;
-mod shell;
 mod solid;
 mod start;
 
@@ -20,6 +20,7 @@ use std::collections::BTreeMap;
 
 pub use derive::{Placement, derive};
 pub use error::{Kind, RunError, Warning};
+pub use eval::{Things, Value};
 pub use start::start_size;
 
 /// What to do where sizes do not fit their scope.
@@ -74,8 +75,10 @@ pub struct Made<T> {
 pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made<Grid>, RunError> {
     let scope = start_scope(graph, options)?;
     let mut grid = Grid::new(scope.bounds.size());
-    let mut brushes = brush::Brushes::new(library);
-    let warnings = derive(graph, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
+    let things = Things::default();
+    let mut brushes = brush::Brushes::new(library, options.seed);
+    let warnings =
+        derive(graph, &things, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
     grid.metadata.data_version = graph.data_version;
     settle(&mut grid).map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
     Ok(Made { made: grid, warnings })
@@ -86,7 +89,8 @@ pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made
 pub fn run_boxes(graph: &OpGraph, options: &Options) -> Result<Made<Vec<LabelledBox>>, RunError> {
     let scope = start_scope(graph, options)?;
     let mut boxes = Vec::new();
-    let warnings = derive(graph, scope, options, &mut |placement| {
+    let things = Things::default();
+    let warnings = derive(graph, &things, scope, options, &mut |placement| {
         let degrees = 90 * u32::from(placement.scope.frame.turn.count());
         let name = placement.name.text();
         let label = if degrees == 0 { name.to_owned() } else { format!("{name}@{degrees}") };

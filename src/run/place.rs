@@ -24,7 +24,21 @@ impl Place {
     /// The place of something that has a name rather than a number.
     pub fn named(self, name: &str) -> Place {
         // No child has this number, so that no name is a path.
-        name.bytes().fold(self.step(u64::MAX), |place, byte| place.child(usize::from(byte)))
+        self.spelt(u64::MAX, name.as_bytes())
+    }
+
+    /// The place of a key of coherent draws.
+    pub fn keyed(self, key: &[u8]) -> Place {
+        self.spelt(u64::MAX - 1, key)
+    }
+
+    /// A number below 2^53 that the place alone determines.
+    pub fn number(self) -> u64 {
+        self.0 >> 11
+    }
+
+    fn spelt(self, kind: u64, bytes: &[u8]) -> Place {
+        bytes.iter().fold(self.step(kind), |place, byte| place.child(usize::from(*byte)))
     }
 
     pub fn stream(self) -> Pcg64Mcg {

@@ -1,6 +1,5 @@
-use super::derive::constants;
 use super::error::{Kind, RunError};
-use super::eval::Env;
+use super::eval::{Around, Env, Things, World};
 use super::place::Place;
 use crate::graph::OpGraph;
 use crate::space::Cell;
@@ -14,8 +13,10 @@ pub fn start_size(graph: &OpGraph, seed: u64) -> Result<Cell, RunError> {
 }
 
 fn draw_size(graph: &OpGraph, seed: u64) -> Result<Cell, Kind> {
-    let constants = constants(graph, seed)?;
-    let mut env = Env::new(&constants, &[], None, Place::start(seed).named("size"));
+    let things = Things::default();
+    let world = World::new(graph, &things, seed)?;
+    let around = Around::start(seed);
+    let mut env = Env::new(&world, &around, None, Place::start(seed).named("size"));
     let mut weights = Vec::with_capacity(graph.sizes.len());
     for start in &graph.sizes {
         weights.push(env.number(&start.weight)?);

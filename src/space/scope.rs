@@ -38,6 +38,14 @@ impl Scope {
         Scope { bounds, ..*self }
     }
 
+    /// How far along a local axis the middle of a cell lies, from 0 at the low end to 1 at the high one.
+    pub fn along(&self, axis: Axis, cell: Cell) -> f64 {
+        let world = self.frame.world_axis(axis);
+        let from_low = f64::from(world.of(cell) - world.of(self.bounds.min)) + 0.5;
+        let share = from_low / f64::from(self.bounds.len(world).max(1));
+        if world.of(self.frame.direction(axis)) > 0 { share } else { 1.0 - share }
+    }
+
     /// The same box with its axes turned.
     pub fn turned(&self, turn: Turn) -> Scope {
         Scope { frame: self.frame.turned(turn), ..*self }

@@ -59,12 +59,16 @@ fn grammar((labels, up): (Labels, Up)) -> impl Strategy<Value = Grammar> {
         .collect();
     let sizes = vec(start_size(), 0..3);
     (constants(), sizes, rules).prop_map(move |(constants, sizes, rules)| Grammar {
-        preamble: Vec::new(),
         up,
-        data_version: None,
         sizes,
         constants,
+        styles: vec![Style {
+            comments: Vec::new(),
+            name: Ident::new("other"),
+            values: vec![(Ident::new("p0"), Expr::number(7.0))],
+        }],
         rules: rules.concat(),
+        ..Grammar::default()
     })
 }
 
@@ -80,7 +84,12 @@ fn start_size() -> impl Strategy<Value = StartSize> {
 /// One constant of each type, under names that a printer might want for itself.
 fn constants() -> impl Strategy<Value = Vec<Constant>> {
     let named = |name: &'static str, value: BoxedStrategy<Expr>| {
-        value.prop_map(move |value| Constant { comments: Vec::new(), name: Ident::new(name), value })
+        value.prop_map(move |value| Constant {
+            comments: Vec::new(),
+            name: Ident::new(name),
+            value,
+            attribute: None,
+        })
     };
     let number = (0..9u32).prop_map(|number| Expr::number(number.into())).boxed();
     // A constant named after a primitive says what that is made of.
@@ -98,8 +107,9 @@ fn param(at: usize) -> String {
 
 fn rule(at: usize, scope: Scope) -> impl Strategy<Value = Rule> {
     let params: Vec<Ident> = (0..scope.params.len()).map(|at| Ident::new(param(at))).collect();
-    (of(number(&scope)), successor(scope.clone()), of(number(&scope))).prop_map(
-        move |(condition, successor, weight)| Rule {
+    (of(condition(&scope)), successor(scope.clone()), of(number(&scope)), 1..3u32).prop_map(
+        move |(condition, successor, weight, priority)| Rule {
+            priority,
             comments: Vec::new(),
             label: label(at),
             params: params.clone(),
@@ -118,30 +128,69 @@ fn successor(scope: Scope) -> BoxedStrategy<Successor> {
     ];
     let leaf = prop_oneof![
         1 => Just(Op::Nil),
-        3 => primitive.prop_map(|(name, material)| Op::Primitive { name, material }),
+        3 => (primitive, of(number(&scope))).prop_map(|((name, material), pitch)| {
+            let options = pitch.into_iter().map(|pitch| (Ident::new("pitch"), pitch)).collect();
+            Op::Primitive { name, material, options }
+        }),
+        1 => axis(&scope).prop_map(|axis| Op::Snap { axis, label: None }),
         3 => call(&scope),
     ];
     let branch = move |inner: BoxedStrategy<Successor>| {
         let body = || inner.clone().prop_map(Box::new);
         let (axis, number) = (|| axis(&scope), || number(&scope));
-        let sizes = || [fixed(number()), fixed(number()), fixed(number())];
         let up = Expr::name(scope.up.to_string());
         prop_oneof![
-            (axis(), items(number(), inner.clone())).prop_map(|(axis, items)| Op::Split { axis, items }),
-            (axis(), number(), body()).prop_map(|(axis, size, body)| Op::Repeat { axis, size, body }),
+            (axis(), snap(), items(number(), inner.clone())).prop_map(|(axis, snap, items)| Op::Split {
+                axis,
+                snap,
+                items
+            }),
+            (axis(), number(), snap(), body()).prop_map(|(axis, size, snap, body)| Op::Repeat {
+                axis,
+                size,
+                snap,
+                body
+            }),
             (axis(), number(), body()).prop_map(|(axis, count, body)| Op::RepeatN { axis, count, body }),
-            (sizes(), body()).prop_map(|(delta, body)| Op::Translate { delta, body }),
-            (sizes(), body()).prop_map(|(size, body)| Op::Resize { size, body }),
-            (Just(up), number(), body()).prop_map(|(axis, angle, body)| Op::Rotate { axis, angle, body }),
-            (sample::subsequence(Face::NAMES.to_vec(), 1..4), vec(inner.clone(), 4)).prop_map(
-                |(faces, bodies)| {
-                    Op::Comp { parts: faces.into_iter().map(|(_, face)| face).zip(bodies).collect() }
+            (change(&scope, up), body()).prop_map(|(change, body)| Op::Within { change, body }),
+            vec(inner.clone(), 2..4).prop_map(Op::All),
+            (sample::subsequence(Face::NAMES.to_vec(), 1..4), of(number()), vec(inner.clone(), 4)).prop_map(
+                |(faces, thickness, bodies)| {
+                    let selectors = faces.into_iter().map(|(_, face)| Selector::On(vec![face]));
+                    let parts = selectors.zip(bodies).collect();
+                    Op::Carve { how: Carving::Faces, args: thickness.into_iter().collect(), parts }
                 }
             ),
         ]
         .prop_map(Successor::new)
     };
     leaf.prop_map(Successor::new).prop_recursive(3, 12, 3, branch).boxed()
+}
+
+fn change(scope: &Scope, up: Expr) -> impl Strategy<Value = Change> + use<> {
+    let sizes = || [0, 1, 2].map(|_| fixed(number(scope)));
+    prop_oneof![
+        sizes().prop_map(Change::Translate),
+        sizes().prop_map(Change::Resize),
+        number(scope).prop_map(move |angle| Change::Rotate { axis: up.clone(), angle }),
+        Just(Change::Local),
+        number(scope).prop_map(Change::Same),
+        Just(Change::Style(Ident::new("other"))),
+    ]
+}
+
+fn snap() -> impl Strategy<Value = Option<Snap>> {
+    of(of(Just("planes".to_owned())).prop_map(|label| Snap { label }))
+}
+
+/// A condition, which may ask about other shapes.
+fn condition(scope: &Scope) -> impl Strategy<Value = Expr> + use<> {
+    let label = label(0).name;
+    let against = sample::select(vec![Against::All, Against::NoParent, Against::Label(label.clone())]);
+    let occlusion = (against, of(number(scope).prop_map(Box::new)))
+        .prop_map(|(against, distance)| ExprKind::Occlusion { against, distance });
+    let visible = Just(ExprKind::Visible(label));
+    prop_oneof![3 => number(scope), 1 => prop_oneof![occlusion, visible].prop_map(Expr::new)]
 }
 
 fn call(scope: &Scope) -> impl Strategy<Value = Op> + use<> {
@@ -190,8 +239,15 @@ fn axis(scope: &Scope) -> BoxedStrategy<Expr> {
 fn thing(scope: &Scope) -> BoxedStrategy<Expr> {
     let mut known = params_of(Type::Thing, scope);
     known.extend(["stone", "glass", "rect", "gable", "window2"].map(Expr::name));
-    known.push(Expr::new(ExprKind::Block("oak_stairs[facing=east]".to_owned())));
-    proptest::sample::select(known).boxed()
+    for state in ["oak_stairs[facing=east]", "rect[facing=north]"] {
+        known.push(Expr::new(ExprKind::Block(state.to_owned())));
+    }
+    let plain = proptest::sample::select(known);
+    let mix = vec((number(scope), plain.clone()), 1..3).prop_map(ExprKind::Mix);
+    let gradient = (axis(scope).prop_map(Box::new), vec(plain.clone(), 1..3))
+        .prop_map(|(axis, blocks)| ExprKind::Gradient(axis, blocks));
+    let pick = vec((number(scope), plain.clone()), 1..3).prop_map(ExprKind::Pick);
+    prop_oneof![6 => plain, 1 => prop_oneof![mix, gradient, pick].prop_map(Expr::new)].boxed()
 }
 
 fn number(scope: &Scope) -> BoxedStrategy<Expr> {

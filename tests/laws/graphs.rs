@@ -70,7 +70,7 @@ proptest! {
             let size = Size { kind: SizeKind::Absolute, value: Expr::number(size) };
             let part = Item::Part { size, body: changed.rules[0].successor.clone() };
             let axis = Expr::name("x");
-            changed.rules[0].successor = Successor::new(Op::Split { axis, items: vec![part.clone(), part] });
+            changed.rules[0].successor = Successor::new(Op::Split { axis, snap: None, items: vec![part.clone(), part] });
             graph_of(changed)
         };
         prop_assert!(with_size(12345.0) != with_size(12346.0));
@@ -89,15 +89,12 @@ fn relabelled(grammar: &Grammar, name: &dyn Fn(&str) -> String) -> Grammar {
 
 fn relabel(successor: &mut Successor, name: &dyn Fn(&str) -> String) {
     match &mut successor.op {
-        Op::Nil | Op::Primitive { .. } => {}
+        Op::Nil | Op::Primitive { .. } | Op::Snap { .. } => {}
         Op::Call { label, .. } => *label = Ident::new(name(&label.name)),
+        Op::All(ops) => ops.iter_mut().for_each(|op| relabel(op, name)),
         Op::Split { items, .. } => items.iter_mut().for_each(|item| relabel_item(item, name)),
-        Op::Repeat { body, .. }
-        | Op::RepeatN { body, .. }
-        | Op::Translate { body, .. }
-        | Op::Resize { body, .. }
-        | Op::Rotate { body, .. } => relabel(body, name),
-        Op::Comp { parts } => parts.iter_mut().for_each(|(_, body)| relabel(body, name)),
+        Op::Repeat { body, .. } | Op::RepeatN { body, .. } | Op::Within { body, .. } => relabel(body, name),
+        Op::Carve { parts, .. } => parts.iter_mut().for_each(|(_, body)| relabel(body, name)),
     }
 }
 

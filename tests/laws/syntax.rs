@@ -30,23 +30,80 @@ proptest! {
 }
 
 /// The words that mean something where a name stands.
-const WORDS: [&str; 16] = [
-    "I", "nil", "split", "repeat", "repeatN", "T", "S", "R", "comp", "size", "scope", "up", "and", "or",
-    "not", "rand",
+const WORDS: [&str; 40] = [
+    "I",
+    "nil",
+    "split",
+    "repeat",
+    "repeatN",
+    "T",
+    "S",
+    "R",
+    "comp",
+    "size",
+    "scope",
+    "up",
+    "and",
+    "or",
+    "not",
+    "rand",
+    "snap",
+    "setback",
+    "offset",
+    "shapeL",
+    "shapeU",
+    "shapeT",
+    "shapeH",
+    "shapeO",
+    "shapeRound",
+    "local",
+    "same",
+    "style",
+    "pick",
+    "mix",
+    "gradient",
+    "occ",
+    "visible",
+    "attr",
+    "import",
+    "priority",
+    "if",
+    "when",
+    "as",
+    "all",
 ];
 
 pub fn grammars() -> impl Strategy<Value = Grammar> {
     let up = prop_oneof![Just(Up::Y), Just(Up::Z)];
     let version = prop::option::of(0..5000i32);
     let head = (comments(), up, version, vec(start_size(), 0..3), vec(constant(), 0..4));
-    (head, vec(rule(), 1..6)).prop_map(|((preamble, up, data_version, sizes, constants), rules)| Grammar {
-        preamble,
-        up,
-        data_version,
-        sizes,
-        constants,
-        rules,
+    let names = (vec(import(), 0..2), vec(style(), 0..2));
+    (head, names, vec(rule(), 1..6)).prop_map(|(head, (imports, styles), rules)| {
+        let (preamble, up, data_version, sizes, constants) = head;
+        Grammar { preamble, up, data_version, imports, sizes, constants, styles, rules }
     })
+}
+
+fn import() -> impl Strategy<Value = Import> {
+    (comments(), text(), of(ident())).prop_map(|(comments, file, prefix)| Import {
+        comments,
+        file,
+        prefix,
+        span: Default::default(),
+    })
+}
+
+fn style() -> impl Strategy<Value = Style> {
+    (comments(), ident(), vec((ident(), argument()), 0..3)).prop_map(|(comments, name, values)| Style {
+        comments,
+        name,
+        values,
+    })
+}
+
+/// What may stand in quotes.
+fn text() -> impl Strategy<Value = String> {
+    "[ !#-~ä]{0,12}"
 }
 
 fn comments() -> impl Strategy<Value = Vec<String>> {
@@ -64,12 +121,22 @@ fn start_size() -> impl Strategy<Value = StartSize> {
 }
 
 fn constant() -> impl Strategy<Value = Constant> {
-    (comments(), ident(), argument()).prop_map(|(comments, name, value)| Constant { comments, name, value })
+    (comments(), ident(), argument(), of(attribute()))
+        .prop_map(|(comments, name, value, attribute)| Constant { comments, name, value, attribute })
+}
+
+fn attribute() -> impl Strategy<Value = Attribute> {
+    (of([expr(), expr()]), of(text()), of(text())).prop_map(|(range, group, about)| Attribute {
+        range,
+        group,
+        about,
+    })
 }
 
 fn rule() -> impl Strategy<Value = Rule> {
-    (comments(), ident(), vec(ident(), 0..3), of(expr()), successor(), of(expr())).prop_map(
-        |(comments, label, params, condition, successor, weight)| Rule {
+    (comments(), ident(), vec(ident(), 0..3), of(expr()), successor(), of(expr()), 1..4u32).prop_map(
+        |(comments, label, params, condition, successor, weight, priority)| Rule {
+            priority,
             comments,
             label,
             params,
@@ -91,20 +158,33 @@ fn name() -> impl Strategy<Value = String> {
 fn successor() -> impl Strategy<Value = Successor> {
     let leaf = prop_oneof![
         Just(Op::Nil),
-        (argument(), of(argument())).prop_map(|(name, material)| Op::Primitive { name, material }),
+        (argument(), of(argument()), vec((ident(), argument()), 0..3))
+            .prop_map(|(name, material, options)| Op::Primitive { name, material, options }),
+        (expr(), of(ident())).prop_map(|(axis, label)| Op::Snap { axis, label }),
         (ident(), vec(argument(), 0..3)).prop_map(|(label, args)| Op::Call { label, args }),
     ];
     leaf.prop_map(Successor::new).prop_recursive(4, 24, 4, |inner| {
         let body = || inner.clone().prop_map(Box::new);
-        let sizes = || [size(), size(), size()];
         prop_oneof![
-            (expr(), items(inner.clone())).prop_map(|(axis, items)| Op::Split { axis, items }),
-            (expr(), expr(), body()).prop_map(|(axis, size, body)| Op::Repeat { axis, size, body }),
+            (expr(), of(snap()), items(inner.clone())).prop_map(|(axis, snap, items)| Op::Split {
+                axis,
+                snap,
+                items
+            }),
+            (expr(), expr(), of(snap()), body()).prop_map(|(axis, size, snap, body)| Op::Repeat {
+                axis,
+                size,
+                snap,
+                body
+            }),
             (expr(), expr(), body()).prop_map(|(axis, count, body)| Op::RepeatN { axis, count, body }),
-            (sizes(), body()).prop_map(|(delta, body)| Op::Translate { delta, body }),
-            (sizes(), body()).prop_map(|(size, body)| Op::Resize { size, body }),
-            (expr(), expr(), body()).prop_map(|(axis, angle, body)| Op::Rotate { axis, angle, body }),
-            vec((face(), inner.clone()), 1..4).prop_map(|parts| Op::Comp { parts }),
+            (change(), body()).prop_map(|(change, body)| Op::Within { change, body }),
+            vec(inner.clone(), 2..4).prop_map(Op::All),
+            carving().prop_flat_map(move |how| {
+                let args = vec(expr(), how.takes().0);
+                let parts = vec((selector(how), inner.clone()), 1..4);
+                (args, parts).prop_map(move |(args, parts)| Op::Carve { how, args, parts })
+            }),
         ]
         .prop_map(Successor::new)
     })
@@ -124,8 +204,31 @@ fn size() -> impl Strategy<Value = Size> {
     (kind, expr()).prop_map(|(kind, value)| Size { kind, value })
 }
 
-fn face() -> impl Strategy<Value = Face> {
-    (0..Face::NAMES.len()).prop_map(|at| Face::NAMES[at].1)
+fn change() -> impl Strategy<Value = Change> {
+    let sizes = || [size(), size(), size()];
+    prop_oneof![
+        sizes().prop_map(Change::Translate),
+        sizes().prop_map(Change::Resize),
+        (expr(), expr()).prop_map(|(axis, angle)| Change::Rotate { axis, angle }),
+        Just(Change::Local),
+        argument().prop_map(Change::Same),
+        ident().prop_map(Change::Style),
+    ]
+}
+
+fn snap() -> impl Strategy<Value = Snap> {
+    of(name()).prop_map(|label| Snap { label })
+}
+
+fn carving() -> impl Strategy<Value = Carving> {
+    (0..Carving::NAMES.len()).prop_map(|at| Carving::NAMES[at].1)
+}
+
+fn selector(how: Carving) -> impl Strategy<Value = Selector> {
+    let face = (0..Face::NAMES.len()).prop_map(|at| Face::NAMES[at].1);
+    let named = (0..Selector::NAMES.len()).prop_map(|at| Selector::NAMES[at].1.clone());
+    prop_oneof![vec(face, 1..4).prop_map(Selector::On), (0..12u32).prop_map(Selector::Index), named]
+        .prop_filter("parts of that name are carved", move |selector| selector.suits(how))
 }
 
 /// An expression where a block with a namespace may stand as well.
@@ -142,6 +245,9 @@ pub fn expr() -> impl Strategy<Value = Expr> {
             .prop_map(|text| Expr::new(ExprKind::Block(text))),
         "[ !#-~ä]{0,12}".prop_map(|name| Expr::new(ExprKind::File(name))),
         (0..3usize).prop_map(|axis| Expr::new(ExprKind::ScopeSize(Axis::ALL[axis]))),
+        prop_oneof![Just(Share::Index), Just(Share::Total)]
+            .prop_map(|share| Expr::new(ExprKind::Share(share))),
+        name().prop_map(|label| Expr::new(ExprKind::Visible(label))),
     ];
     leaf.prop_recursive(4, 16, 3, |inner| {
         let boxed = || inner.clone().prop_map(Box::new);
@@ -154,9 +260,20 @@ pub fn expr() -> impl Strategy<Value = Expr> {
                 right
             )),
             call(inner.clone()),
+            (against(), of(boxed()))
+                .prop_map(|(against, distance)| ExprKind::Occlusion { against, distance }),
+            vec((inner.clone(), inner.clone()), 1..3).prop_map(ExprKind::Pick),
+            vec((inner.clone(), inner.clone()), 1..3).prop_map(ExprKind::Mix),
+            (boxed(), vec(inner.clone(), 1..3)).prop_map(|(axis, blocks)| ExprKind::Gradient(axis, blocks)),
+            (boxed(), boxed()).prop_map(|(key, value)| ExprKind::Same(key, value)),
         ]
         .prop_map(Expr::new)
     })
+}
+
+fn against() -> impl Strategy<Value = Against> {
+    let word = prop_oneof![Just("all"), Just("active"), Just("noparent")].prop_map(str::to_owned);
+    prop_oneof![word, name()].prop_map(|name| Against::of_name(&name))
 }
 
 fn call(arg: impl Strategy<Value = Expr>) -> impl Strategy<Value = ExprKind> {

@@ -80,6 +80,7 @@ fn rule(label: &str, successor: Successor) -> Rule {
         condition: None,
         successor,
         weight: None,
+        priority: Rule::FIRST,
     }
 }
 
@@ -98,8 +99,10 @@ fn closed(successor: Successor) -> Successor {
     let close = |body: Box<Successor>| Box::new(closed(*body));
     Successor::new(match successor.op {
         Op::Call { .. } => return block("glass"),
-        Op::Split { axis, items } => Op::Split { axis, items: items.into_iter().map(closed_item).collect() },
-        Op::Repeat { axis, size, body } => Op::Repeat { axis, size, body: close(body) },
+        Op::Split { axis, snap, items } => {
+            Op::Split { axis, snap, items: items.into_iter().map(closed_item).collect() }
+        }
+        Op::Repeat { axis, size, snap, body } => Op::Repeat { axis, size, snap, body: close(body) },
         Op::RepeatN { axis, count, body } => Op::RepeatN { axis, count, body: close(body) },
         op => op,
     })
@@ -121,7 +124,7 @@ fn tiling() -> impl Strategy<Value = Successor> {
         let body = || inner.clone().prop_map(Box::new);
         prop_oneof![
             3 => split(inner.clone()),
-            1 => (axis(), length(), body()).prop_map(|(axis, size, body)| Op::Repeat { axis, size, body }),
+            1 => (axis(), length(), body()).prop_map(|(axis, size, body)| Op::Repeat { axis, size, snap: None, body }),
             1 => (axis(), 1..7u32, body())
                 .prop_map(|(axis, count, body)| Op::RepeatN { axis, count: Expr::number(count.into()), body }),
         ]
@@ -138,7 +141,7 @@ fn split(body: impl Strategy<Value = Successor> + Clone + 'static) -> impl Strat
     });
     (axis(), vec(item, 0..4), 0..4usize, body).prop_map(|(axis, mut items, at, body)| {
         items.insert(at.min(items.len()), floating(body));
-        Op::Split { axis, items }
+        Op::Split { axis, snap: None, items }
     })
 }
 
@@ -149,10 +152,13 @@ fn symmetric() -> impl Strategy<Value = Successor> {
             .prop_map(|(kind, value, body)| Item::Part { size: Size { kind, value }, body });
         let halves = (vec(part, 0..3), inner.clone()).prop_map(|(half, middle)| {
             let items = half.iter().cloned().chain([floating(middle)]).chain(half.iter().rev().cloned());
-            Op::Split { axis: Expr::name("x"), items: items.collect() }
+            Op::Split { axis: Expr::name("x"), snap: None, items: items.collect() }
         });
-        let upright = vec(inner.clone().prop_map(floating), 1..4)
-            .prop_map(|items| Op::Split { axis: Expr::name("y"), items });
+        let upright = vec(inner.clone().prop_map(floating), 1..4).prop_map(|items| Op::Split {
+            axis: Expr::name("y"),
+            snap: None,
+            items,
+        });
         let odd = (0..3u32, inner.prop_map(Box::new)).prop_map(|(half, body)| Op::RepeatN {
             axis: Expr::name("x"),
             count: Expr::number(f64::from(2 * half + 1)),
@@ -163,7 +169,7 @@ fn symmetric() -> impl Strategy<Value = Successor> {
 }
 
 fn block(name: &str) -> Successor {
-    Successor::new(Op::Primitive { name: Expr::name(name), material: None })
+    Successor::new(Op::Primitive { name: Expr::name(name), material: None, options: Vec::new() })
 }
 
 fn floating(body: Successor) -> Item {

@@ -1,6 +1,6 @@
 //! The parser's place among the tokens.
 
-use crate::grammar::ast::Ident;
+use crate::grammar::ast::{Ident, Rule};
 use crate::grammar::lex::{Kind, Place, Token};
 use crate::grammar::{Diagnostic, Span};
 
@@ -10,6 +10,10 @@ pub struct Parser<'t> {
     at: usize,
     /// How deep the operation or expression at hand is nested.
     pub(super) depth: usize,
+    /// Brackets that are open.
+    open: usize,
+    /// That of the rules that follow.
+    pub(super) priority: u32,
     /// Operators between two operands in the expression so far.
     pub(super) operators: usize,
 }
@@ -19,7 +23,7 @@ pub type Parse<T> = Result<T, Box<Diagnostic>>;
 impl<'t> Parser<'t> {
     /// At the first of `tokens`, which end with one of kind `End`.
     pub(super) fn new(text: &'t str, tokens: &'t [Token]) -> Parser<'t> {
-        Parser { text, tokens, at: 0, depth: 0, operators: 0 }
+        Parser { text, tokens, at: 0, depth: 0, open: 0, priority: Rule::FIRST, operators: 0 }
     }
 
     /// The number of the token at hand.
@@ -45,8 +49,22 @@ impl<'t> Parser<'t> {
 
     pub(super) fn next(&mut self) -> Token {
         let token = self.peek();
+        match token.kind {
+            Kind::Symbol("(" | "[" | "{") => self.open += 1,
+            Kind::Symbol(")" | "]" | "}") => self.open = self.open.saturating_sub(1),
+            _ => {}
+        }
         self.at = (self.at + 1).min(self.tokens.len() - 1);
         token
+    }
+
+    pub(super) fn is_in_brackets(&self) -> bool {
+        self.open > 0
+    }
+
+    /// At the start of an item, whatever the one before it left open.
+    pub(super) fn start_item(&mut self) {
+        (self.depth, self.open) = (0, 0);
     }
 
     pub(super) fn previous_end(&self) -> usize {
@@ -79,6 +97,19 @@ impl<'t> Parser<'t> {
         }
         self.next();
         Ok(Ident { name: self.word(token).to_owned(), span: token.span })
+    }
+
+    /// A name that may carry the prefix of an import: `walls.brick`.
+    pub(super) fn dotted(&mut self, what: &str) -> Parse<Ident> {
+        let first = self.ident(what)?;
+        let [dot, second] = [self.peek(), self.peek_after(1)];
+        let is_joined = dot.kind == Kind::Symbol(".") && dot.span.start == first.span.end;
+        if !is_joined || second.kind != Kind::Ident || second.span.start != dot.span.end {
+            return Ok(first);
+        }
+        self.next();
+        let second = self.ident(what)?;
+        Ok(Ident { name: format!("{}.{}", first.name, second.name), span: first.span.to(second.span) })
     }
 
     /// What is missing at the end of a line is told there, not at the first word of the next.

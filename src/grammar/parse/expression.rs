@@ -10,10 +10,16 @@ use crate::space::Axis;
 impl Parser<'_> {
     /// An expression where a block with a namespace may stand as well.
     pub(super) fn argument(&mut self) -> Parse<Expr> {
+        self.operators = 0;
+        self.inner_argument()
+    }
+
+    /// As [`Parser::argument`], as part of an expression.
+    fn inner_argument(&mut self) -> Parse<Expr> {
         let name = self.peek();
         match name.kind != Kind::Text && has_namespace(&self.text[name.span.start..]) {
             true => self.block(name),
-            false => self.expr(),
+            false => self.inner_expr(),
         }
     }
 
@@ -137,26 +143,115 @@ impl Parser<'_> {
         if after.kind == Kind::Symbol("[") && after.span.start == token.span.end {
             return self.block(token);
         }
-        self.next();
-        if name == "scope" && self.accept(".").is_some() {
-            return self.scope_size(token.span);
+        if matches!(name, "scope" | "split") && after.kind == Kind::Symbol(".") {
+            self.next();
+            self.next();
+            return if name == "scope" { self.scope_size(token.span) } else { self.share(token.span) };
         }
+        let braced = after.kind == Kind::Symbol("{");
+        let bracketed = after.kind == Kind::Symbol("(");
+        let kind = match name {
+            "pick" if braced => ExprKind::Pick(self.weighted()?),
+            "mix" if braced => ExprKind::Mix(self.weighted()?),
+            "gradient" if bracketed => self.gradient()?,
+            "same" if bracketed => self.same()?,
+            "occ" if bracketed => self.occlusion()?,
+            "visible" if bracketed => self.visible()?,
+            _ => return self.plain_name(),
+        };
+        Ok(Expr { kind, span: token.span.to(Span::new(0, self.previous_end())) })
+    }
+
+    /// A name, or a function with its arguments.
+    fn plain_name(&mut self) -> Parse<Expr> {
+        let ident = self.dotted("a name")?;
+        let name = ident.name.as_str();
         // Only `rand` is a function without brackets; the others may be names: `floor = 4`.
         let is_called = name == Function::Rand.name() || self.is_symbol("(");
         let Some(function) = Function::of_name(name).filter(|_| is_called) else {
-            return Ok(Expr { kind: ExprKind::Name(name.to_owned()), span: token.span });
+            return Ok(Expr { kind: ExprKind::Name(ident.name), span: ident.span });
         };
         let args = match self.accept("(") {
             Some(_) => self.list(")", |parser| parser.inner_expr())?,
             None => Vec::new(),
         };
-        let span = token.span.to(Span::new(0, self.previous_end()));
+        let span = ident.span.to(Span::new(0, self.previous_end()));
         function.takes(args.len()).map_err(|expected| {
             let plural = if args.len() == 1 { "" } else { "s" };
             let message = format!("`{name}` cannot take {} argument{plural}", args.len());
             Box::new(Diagnostic::error(span, message).hint(format!("it takes {expected}")))
         })?;
         Ok(Expr { kind: ExprKind::Call(function, args), span })
+    }
+
+    /// `pick{ weight : value | ... }` and `mix{ ... }`, from their first word.
+    fn weighted(&mut self) -> Parse<Vec<(Expr, Expr)>> {
+        self.next();
+        self.expect("{", "before the values")?;
+        let mut parts = Vec::new();
+        loop {
+            let weight = self.inner_expr()?;
+            self.expect(":", "between a weight and its value, as in `mix{ 3 : stone | 1 : andesite }`")?;
+            parts.push((weight, self.inner_argument()?));
+            if self.accept("|").is_none() {
+                self.expect("}", "or `|` after a value")?;
+                return Ok(parts);
+            }
+        }
+    }
+
+    fn gradient(&mut self) -> Parse<ExprKind> {
+        self.next();
+        self.expect("(", "and an axis")?;
+        let axis = self.inner_expr()?;
+        self.expect(")", "after the axis")?;
+        self.expect("{", "before the blocks, as in `gradient(y){ stone | andesite }`")?;
+        let mut blocks = vec![self.inner_argument()?];
+        while self.accept("|").is_some() {
+            blocks.push(self.inner_argument()?);
+        }
+        self.expect("}", "or `|` after a block")?;
+        Ok(ExprKind::Gradient(Box::new(axis), blocks))
+    }
+
+    fn same(&mut self) -> Parse<ExprKind> {
+        self.next();
+        self.expect("(", "and a key")?;
+        let key = self.inner_argument()?;
+        self.expect(",", "between the key and the value, as in `same(trim, rand(1, 3))`")?;
+        let value = self.inner_argument()?;
+        self.expect(")", "after the value")?;
+        Ok(ExprKind::Same(Box::new(key), Box::new(value)))
+    }
+
+    fn occlusion(&mut self) -> Parse<ExprKind> {
+        self.next();
+        self.expect("(", "and what to look at")?;
+        let against = self.dotted("`all`, `active`, `noparent` or a label")?;
+        let distance = self.accept(",").map(|_| self.inner_expr()).transpose()?.map(Box::new);
+        self.expect(")", "after the query, as in `occ(noparent, 2)`")?;
+        Ok(ExprKind::Occlusion { against: Against::of_name(&against.name), distance })
+    }
+
+    fn visible(&mut self) -> Parse<ExprKind> {
+        self.next();
+        self.expect("(", "and a label")?;
+        let label = self.dotted("the label of the shapes to be seen")?;
+        self.expect(")", "after the label")?;
+        Ok(ExprKind::Visible(label.name))
+    }
+
+    fn share(&mut self, start: Span) -> Parse<Expr> {
+        let field = self.ident("`index` or `total` after `split.`")?;
+        let share = match field.name.as_str() {
+            "index" => Share::Index,
+            "total" => Share::Total,
+            _ => {
+                let error = Diagnostic::error(field.span, format!("a split has no `{}`", field.name));
+                return Err(Box::new(error.hint("it has split.index, from 0, and split.total")));
+            }
+        };
+        Ok(Expr { kind: ExprKind::Share(share), span: start.to(field.span) })
     }
 
     pub(super) fn scope_size(&mut self, start: Span) -> Parse<Expr> {

@@ -1,14 +1,14 @@
 //! The items of a file: directives, constants and rules.
 
 use super::cursor::{Parse, Parser};
-use crate::grammar::Diagnostic;
 use crate::grammar::ast::*;
 use crate::grammar::lex::{Kind, Place};
+use crate::grammar::{Diagnostic, Span};
 use crate::space::Up;
 
 impl Parser<'_> {
     pub(super) fn item(&mut self, grammar: &mut Grammar, comments: Vec<String>) -> Parse<()> {
-        self.depth = 0;
+        self.start_item();
         if self.at() > 0 && self.peek().place == Place::Inner && !self.is_followed_by_definition() {
             return Err(self.left_over());
         }
@@ -23,14 +23,111 @@ impl Parser<'_> {
             grammar.sizes.push(self.start_size(comments)?);
             return Ok(());
         }
+        if self.is_word("priority") && second.kind == Kind::Number {
+            return self.set_priority();
+        }
+        if self.is_word("import") && second.kind == Kind::Text {
+            grammar.imports.push(self.import(comments)?);
+            return Ok(());
+        }
+        if self.is_word("style") && second.kind == Kind::Ident {
+            grammar.styles.push(self.style(comments)?);
+            return Ok(());
+        }
+        if self.is_word("attr") && second.kind == Kind::Ident {
+            self.next();
+            let name = self.ident("the name of the attribute")?;
+            self.expect("=", "and what it is unless a run sets it")?;
+            let value = self.argument()?;
+            let attribute = Some(self.attribute()?);
+            grammar.constants.push(Constant { comments, name, value, attribute });
+            return Ok(());
+        }
         let name = self.ident("a rule or a constant")?;
         if self.accept("=").is_some() {
             let value = self.argument()?;
-            grammar.constants.push(Constant { comments, name, value });
+            grammar.constants.push(Constant { comments, name, value, attribute: None });
         } else {
             grammar.rules.push(self.rule(name, comments)?);
         }
         Ok(())
+    }
+
+    /// `priority 2`: that of the rules which follow.
+    fn set_priority(&mut self) -> Parse<()> {
+        self.next();
+        let number = self.next();
+        match self.word(number).parse().ok().filter(|priority| *priority > 0) {
+            Some(priority) => self.priority = priority,
+            None => {
+                let error = Diagnostic::error(number.span, "this is no priority");
+                return Err(Box::new(error.hint("it is a whole number from 1: `priority 2`")));
+            }
+        }
+        Ok(())
+    }
+
+    fn import(&mut self, comments: Vec<String>) -> Parse<Import> {
+        let start = self.next().span;
+        let file = self.next();
+        let prefix = match self.is_word("as") {
+            true => {
+                self.next();
+                Some(self.ident("what its names begin with, after `as`")?)
+            }
+            false => None,
+        };
+        let span = start.to(Span::new(0, self.previous_end()));
+        Ok(Import { comments, file: self.word(file).trim_matches('"').to_owned(), prefix, span })
+    }
+
+    fn style(&mut self, comments: Vec<String>) -> Parse<Style> {
+        self.next();
+        let name = self.ident("the name of the style")?;
+        self.expect("{", "before its values, as in `style spruce { wall = spruce_planks }`")?;
+        let mut values = Vec::new();
+        while self.accept("}").is_none() {
+            let constant = self.dotted("the name of a constant, or `}`")?;
+            self.expect("=", "between a constant and its value")?;
+            values.push((constant, self.argument()?));
+            let _ = self.accept(",");
+        }
+        Ok(Style { comments, name, values })
+    }
+
+    /// What may follow the value of an attribute, each once at the most.
+    fn attribute(&mut self) -> Parse<Attribute> {
+        let mut attribute = Attribute::default();
+        while self.peek().kind == Kind::Ident && self.peek().place == Place::Inner {
+            let word = self.ident("`range`, `group` or `about`")?;
+            self.expect("(", &format!("after `{}`", word.name))?;
+            match word.name.as_str() {
+                "range" => {
+                    let low = self.expr()?;
+                    self.expect(",", "between the least and the most")?;
+                    attribute.range = Some([low, self.expr()?]);
+                }
+                "group" => attribute.group = Some(self.text("the name of the group in quotes")?),
+                "about" => attribute.about = Some(self.text("a description in quotes")?),
+                _ => {
+                    let error = Diagnostic::error(word.span, format!("an attribute has no `{}`", word.name));
+                    return Err(Box::new(error.hint(
+                        "it may have range(1, 9), group(\"Massing\") and about(\"the number of storeys\")",
+                    )));
+                }
+            }
+            self.expect(")", &format!("after what `{}` says", word.name))?;
+        }
+        Ok(attribute)
+    }
+
+    fn text(&mut self, what: &str) -> Parse<String> {
+        let token = self.peek();
+        if token.kind != Kind::Text {
+            return Err(self.unexpected(&format!("expected {what}")));
+        }
+        self.next();
+        Ok(self.word(token).trim_matches('"').to_owned())
     }
 
     pub(super) fn up(&mut self, grammar: &mut Grammar) -> Parse<()> {
@@ -86,7 +183,7 @@ impl Parser<'_> {
         self.next();
         let successor = self.successor()?;
         let weight = self.weight()?;
-        Ok(Rule { comments, label, params, condition, successor, weight })
+        Ok(Rule { comments, label, params, condition, successor, weight, priority: self.priority })
     }
 
     pub(super) fn weight(&mut self) -> Parse<Option<Expr>> {

@@ -1,11 +1,13 @@
 //! The parser: recursive descent over tokens. An error ends its item; parsing goes on at the next one,
 //! so that one run tells of every item that is wrong.
 
+mod carving;
 mod comments;
 mod cursor;
 mod expression;
 mod item;
 mod operation;
+mod splitting;
 
 use super::ast::Grammar;
 use super::lex::{Kind, lex};

@@ -3,173 +3,161 @@
 use super::MAX_DEPTH;
 use super::cursor::{Parse, Parser};
 use crate::grammar::ast::*;
+use crate::grammar::lex::{Kind, Place};
 use crate::grammar::names::closest;
 use crate::grammar::{Diagnostic, Span};
 
 impl Parser<'_> {
+    /// One operation, or several side by side that share a scope.
     pub(super) fn successor(&mut self) -> Parse<Successor> {
+        self.nested(|parser| {
+            let first = parser.single()?;
+            if !parser.goes_on() {
+                return Ok(first);
+            }
+            let start = first.span;
+            let mut ops = vec![first];
+            while parser.goes_on() {
+                ops.push(parser.single()?);
+            }
+            Ok(Successor { op: Op::All(ops), span: start.to(Span::new(0, parser.previous_end())) })
+        })
+    }
+
+    fn nested(&mut self, parse: impl FnOnce(&mut Self) -> Parse<Successor>) -> Parse<Successor> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             return Err(self.too_much("operations are nested too deeply"));
         }
-        let start = self.peek().span;
-        let op = self.op()?;
+        let successor = parse(self)?;
         self.depth -= 1;
+        Ok(successor)
+    }
+
+    /// Whether another operation follows in the same scope: on the same line, or inside open brackets.
+    fn goes_on(&self) -> bool {
+        let token = self.peek();
+        let is_op = token.kind == Kind::Ident || self.is_symbol("[");
+        let is_inside = token.place == Place::Inner || self.is_in_brackets();
+        let is_slip = self.is_word("if") || self.is_word("when");
+        is_op && is_inside && !is_slip && !(self.starts_item() && self.is_followed_by_definition())
+    }
+
+    fn single(&mut self) -> Parse<Successor> {
+        let start = self.peek().span;
+        if self.accept("[").is_some() {
+            let inner = self.successor()?;
+            self.expect("]", "after the operations in brackets")?;
+            return Ok(inner);
+        }
+        let op = self.op()?;
         Ok(Successor { op, span: start.to(Span::new(0, self.previous_end())) })
     }
 
-    pub(super) fn op(&mut self) -> Parse<Op> {
+    fn op(&mut self) -> Parse<Op> {
         if self.starts_item() && self.is_followed_by_definition() {
             return Err(self.unexpected("expected an operation or a label"));
         }
-        let label = self.ident("an operation or a label")?;
+        let label = self.dotted("an operation or a label")?;
         match label.name.as_str() {
             "nil" => Ok(Op::Nil),
             "I" => self.primitive(),
             "split" => self.split(),
             "repeat" => self.repeat(),
             "repeatN" => self.repeat_n(),
+            "snap" => self.snap_mark(),
+            "comp" => self.component(),
             "T" => {
                 let delta = self.sizes()?;
-                Ok(Op::Translate { delta, body: self.body()? })
+                self.within(Change::Translate(delta))
             }
             "S" => {
                 let size = self.sizes()?;
-                Ok(Op::Resize { size, body: self.body()? })
+                self.within(Change::Resize(size))
             }
-            "R" => self.rotate(),
-            "comp" => self.comp(),
-            _ => {
-                let args = if self.accept("(").is_some() {
-                    self.list(")", |parser| parser.argument())?
-                } else {
-                    Vec::new()
-                };
-                match self.is_symbol("{") {
-                    true => Err(no_operation(&label)),
-                    false => Ok(Op::Call { label, args }),
-                }
+            "R" => {
+                let change = self.rotation()?;
+                self.within(change)
             }
+            "local" if self.is_symbol("{") => self.within(Change::Local),
+            "same" if self.is_symbol("(") => {
+                self.next();
+                let key = self.argument()?;
+                self.expect(")", "after the key")?;
+                self.within(Change::Same(key))
+            }
+            "style" if self.is_symbol("(") => {
+                self.next();
+                let name = self.ident("the name of a style")?;
+                self.expect(")", "after the name of the style")?;
+                self.within(Change::Style(name))
+            }
+            word => match Carving::NAMES.iter().find(|(head, _)| head.strip_suffix('(') == Some(word)) {
+                Some((_, how)) => self.carve(*how),
+                None => self.call(label),
+            },
         }
     }
 
-    pub(super) fn primitive(&mut self) -> Parse<Op> {
+    fn call(&mut self, label: Ident) -> Parse<Op> {
+        let args = match self.accept("(") {
+            Some(_) => self.list(")", |parser| parser.argument())?,
+            None => Vec::new(),
+        };
+        match self.is_symbol("{") {
+            true => Err(no_operation(&label)),
+            false => Ok(Op::Call { label, args }),
+        }
+    }
+
+    /// What a change of scope acts on: the operations in its braces, else all that follow it.
+    fn within(&mut self, change: Change) -> Parse<Op> {
+        let body = match self.is_symbol("{") {
+            true => self.body()?,
+            false if self.goes_on() => Box::new(self.successor()?),
+            false => return Err(self.unexpected("expected `{`, or an operation for the changed scope")),
+        };
+        Ok(Op::Within { change, body })
+    }
+
+    fn primitive(&mut self) -> Parse<Op> {
         self.expect("(", "after `I`: it names a primitive, as in `I(stone)`")?;
         let name = self.argument()?;
-        let material = if self.accept(",").is_some() { Some(self.argument()?) } else { None };
+        let (mut material, mut options) = (None, Vec::new());
+        while self.accept(",").is_some() {
+            let is_option = self.peek().kind == Kind::Ident && self.peek_after(1).kind == Kind::Symbol("=");
+            if is_option {
+                let option = self.ident("an option")?;
+                self.next();
+                options.push((option, self.argument()?));
+            } else if material.is_none() && options.is_empty() {
+                material = Some(self.argument()?);
+            } else {
+                return Err(self.unexpected("expected an option, as in `pitch = 1`"));
+            }
+        }
         self.expect(")", "after the primitive")?;
-        Ok(Op::Primitive { name, material })
+        Ok(Op::Primitive { name, material, options })
     }
 
-    pub(super) fn split(&mut self) -> Parse<Op> {
-        self.expect("(", "after `split`: it names an axis, as in `split(x){ ~1 : a | ~1 : b }`")?;
-        let axis = self.expr()?;
-        self.expect(")", "after the axis")?;
-        self.expect("{", "before the parts")?;
-        Ok(Op::Split { axis, items: self.items()? })
-    }
-
-    /// The items up to the closing brace.
-    pub(super) fn items(&mut self) -> Parse<Vec<Item>> {
-        let mut items = Vec::new();
-        loop {
-            items.push(self.part_or_group()?);
-            if self.accept("|").is_none() {
-                self.expect("}", "or `|` after a part")?;
-                return Ok(items);
-            }
-        }
-    }
-
-    pub(super) fn part_or_group(&mut self) -> Parse<Item> {
-        if let Some(open) = self.accept("{") {
-            let items = self.items()?;
-            let star = self.expect("*", "after a group: it is repeated as often as it fits")?;
-            return Ok(Item::Group { items, span: open.span.to(star.span) });
-        }
-        const HINT: &str = "a part reads `size : operation`, as in `~1 : wall`";
-        if self.is_symbol("}") || self.is_symbol("|") {
-            return Err(self.unexpected_with("expected a part", HINT));
-        }
-        let size = self.size()?;
-        if !self.is_symbol(":") {
-            return Err(
-                self.unexpected_with("expected `:` between the size of a part and its operation", HINT)
-            );
-        }
-        self.next();
-        Ok(Item::Part { size, body: self.successor()? })
-    }
-
-    pub(super) fn repeat(&mut self) -> Parse<Op> {
-        self.expect("(", "after `repeat`: it names an axis and a size, as in `repeat(x, 2){ window }`")?;
-        let axis = self.expr()?;
-        let size = if self.accept(",").is_some() { Some(self.expr()?) } else { None };
-        self.expect(")", "after the axis and the size")?;
-        self.expect("{", "before the operation to repeat")?;
-        let size = match size {
-            Some(size) => size,
-            None => {
-                let size = self.expr()?;
-                self.expect(":", "after the size in `repeat(axis){ size : operation }`")?;
-                size
-            }
-        };
-        let body = Box::new(self.successor()?);
-        self.expect("}", "after the operation to repeat")?;
-        Ok(Op::Repeat { axis, size, body })
-    }
-
-    pub(super) fn repeat_n(&mut self) -> Parse<Op> {
-        self.expect("(", "after `repeatN`: it names an axis and a count, as in `repeatN(x, 3){ window }`")?;
-        let axis = self.expr()?;
-        self.expect(",", "between the axis and the count")?;
-        let count = self.expr()?;
-        self.expect(")", "after the count")?;
-        Ok(Op::RepeatN { axis, count, body: self.body()? })
-    }
-
-    pub(super) fn rotate(&mut self) -> Parse<Op> {
+    fn rotation(&mut self) -> Parse<Change> {
         self.expect("(", "after `R`: it names an axis and an angle, as in `R(y, pi/2){ roof }`")?;
         let axis = self.expr()?;
         self.expect(",", "between the axis and the angle")?;
         let angle = self.expr()?;
         self.expect(")", "after the angle")?;
-        Ok(Op::Rotate { axis, angle, body: self.body()? })
+        Ok(Change::Rotate { axis, angle })
     }
 
-    pub(super) fn comp(&mut self) -> Parse<Op> {
-        self.expect("(", "after `comp`, as in `comp(f){ side : wall | top : roof }`")?;
-        let kind = self.ident("`f`, for faces")?;
-        if kind.name != "f" {
-            let error = Diagnostic::error(kind.span, format!("`{}` is no kind of component", kind.name));
-            return Err(Box::new(error.hint("write `comp(f)`: a scope is taken apart into its faces")));
-        }
-        self.expect(")", "after `f`")?;
-        self.expect("{", "before the faces")?;
-        let mut parts = Vec::new();
-        loop {
-            let face = self.face()?;
-            self.expect(":", "between a face and its operation")?;
-            parts.push((face, self.successor()?));
-            if self.accept("|").is_none() {
-                self.expect("}", "or `|` after a face")?;
-                return Ok(Op::Comp { parts });
-            }
-        }
+    fn snap_mark(&mut self) -> Parse<Op> {
+        self.expect("(", "after `snap`: it names an axis, as in `snap(y)` or `snap(x, entrance)`")?;
+        let axis = self.expr()?;
+        let label = self.accept(",").map(|_| self.ident("the label of the planes")).transpose()?;
+        self.expect(")", "after the axis")?;
+        Ok(Op::Snap { axis, label })
     }
 
-    pub(super) fn face(&mut self) -> Parse<Face> {
-        let ident = self.ident("a face")?;
-        let face = Face::NAMES.iter().find(|(name, _)| *name == ident.name);
-        face.map(|(_, face)| *face).ok_or_else(|| {
-            let names: Vec<&str> = Face::NAMES.iter().map(|(name, _)| *name).collect();
-            let error = Diagnostic::error(ident.span, format!("there is no face `{}`", ident.name));
-            Box::new(error.hint(format!("the faces are {}", names.join(", "))))
-        })
-    }
-
-    pub(super) fn sizes(&mut self) -> Parse<[Size; 3]> {
+    fn sizes(&mut self) -> Parse<[Size; 3]> {
         self.expect("(", "and three lengths")?;
         let sizes = self.three(|parser| parser.size())?;
         self.expect(")", "after the three lengths")?;
@@ -224,7 +212,26 @@ impl Parser<'_> {
 
 /// For a word with braces behind it that is none of the operations.
 fn no_operation(word: &Ident) -> Box<Diagnostic> {
-    const OPERATIONS: [&str; 7] = ["split", "repeat", "repeatN", "T", "S", "R", "comp"];
+    const OPERATIONS: [&str; 18] = [
+        "split",
+        "repeat",
+        "repeatN",
+        "T",
+        "S",
+        "R",
+        "comp",
+        "setback",
+        "offset",
+        "local",
+        "same",
+        "style",
+        "shapeL",
+        "shapeU",
+        "shapeT",
+        "shapeH",
+        "shapeO",
+        "shapeRound",
+    ];
     let near = closest(&word.name, OPERATIONS.into_iter());
     let hint = near.map_or(format!("the operations with braces are {}", OPERATIONS.join(", ")), |near| {
         format!("did you mean `{near}`?")

@@ -5,7 +5,7 @@ mod table;
 use super::raise::raise_expr;
 use super::{Arg, Expr, Op, OpGraph, Size};
 use crate::block::{self, BlockState};
-use crate::grammar::ast::SizeKind;
+use crate::grammar::ast::{Rule, SizeKind, Snap};
 use dot_writer::{Attributes, DotWriter, Scope};
 use petgraph::graph::NodeIndex;
 use std::collections::{BTreeMap, BTreeSet};
@@ -150,21 +150,46 @@ fn op_text(graph: &OpGraph, op: &Op, params: &[String]) -> String {
         sizes.iter().map(|size| size_text(graph, size, params)).collect::<Vec<_>>().join(", ")
     };
     match op {
-        Op::Primitive { name, material: None } => text(name),
-        Op::Primitive { name, material: Some(material) } => match material {
-            Expr::Constant(at) => format!("{} of {}", text(name), text(&graph.constants[*at].1)),
-            material => format!("{} of {}", text(name), text(material)),
-        },
+        Op::Primitive { name, material, options } => {
+            let made_of = material.as_ref().map(|material| match material {
+                Expr::Constant(at) => text(&graph.constants[*at].value),
+                material => text(material),
+            });
+            let made_of = made_of.map_or(String::new(), |material| format!(" of {material}"));
+            let options = options.iter().map(|(option, value)| format!(", {option} {}", text(value)));
+            format!("{}{made_of}{}", text(name), options.collect::<String>())
+        }
         Op::Nil => "nil".to_owned(),
-        Op::Split { axis, .. } => format!("split {}", text(axis)),
-        Op::Repeat { axis, size } => format!("repeat {} every {}", text(axis), text(size)),
+        Op::All => "all".to_owned(),
+        Op::Split { axis, snap, .. } => format!("split {}{}", text(axis), snaps(snap)),
+        Op::Repeat { axis, size, snap } => {
+            format!("repeat {} every {}{}", text(axis), text(size), snaps(snap))
+        }
         Op::RepeatN { axis, count } => format!("repeat {} {} times", text(axis), text(count)),
+        Op::Carve { how, args } => {
+            let args: Vec<String> = args.iter().map(text).collect();
+            format!("{} {}", how.head().replace('(', " "), args.join(", ")).trim_end().to_owned()
+        }
         Op::Translate(delta) => format!("T {}", list(delta)),
         Op::Resize(size) => format!("S {}", list(size)),
         Op::Rotate { axis, angle } => format!("R {} {}", text(axis), text(angle)),
-        Op::Comp => "comp f".to_owned(),
+        Op::Local => "local".to_owned(),
+        Op::Same(key) => format!("same {}", text(key)),
+        Op::Style(at) => format!("style {}", graph.styles.get(*at).map_or("", |style| &style.name)),
+        Op::Snap { axis, label } => {
+            format!("snap {} {}", text(axis), label.as_deref().unwrap_or("")).trim_end().to_owned()
+        }
+        Op::Shape(label) => format!("shape {label}"),
         Op::Choose => "choose".to_owned(),
         Op::Call(args) => format!("call ({})", args.iter().map(text).collect::<Vec<_>>().join(", ")),
+    }
+}
+
+fn snaps(snap: &Option<Snap>) -> String {
+    match snap {
+        None => String::new(),
+        Some(Snap { label: None }) => " to planes".to_owned(),
+        Some(Snap { label: Some(label) }) => format!(" to {label}"),
     }
 }
 
@@ -181,16 +206,20 @@ fn arg_text(graph: &OpGraph, arg: &Arg, params: &[String], total: Option<f64>) -
     match arg {
         Arg::None => String::new(),
         Arg::Size(size) => size_text(graph, size, params),
-        Arg::Face(face) => face.name().to_owned(),
+        Arg::Part(selector) => selector.to_string(),
         Arg::Alternative(alternative) => {
             let weight = match (&alternative.weight, total) {
                 (Expr::Number(weight), Some(total)) => format!("{:.0} %", 100.0 * weight.0 / total),
                 (weight, _) => raise_expr(graph, weight, params).to_string(),
             };
+            let level = match alternative.priority {
+                Rule::FIRST => String::new(),
+                priority => format!(" at {priority}"),
+            };
             let condition = alternative.condition.as_ref();
-            condition.map_or(weight.clone(), |condition| {
-                format!("{weight} if {}", raise_expr(graph, condition, params))
-            })
+            let condition = condition
+                .map_or(String::new(), |condition| format!(" if {}", raise_expr(graph, condition, params)));
+            format!("{weight}{condition}{level}")
         }
     }
 }
@@ -242,7 +271,7 @@ type Rgb = [u8; 3];
 
 fn fill_colour(graph: &OpGraph, op: &Op) -> Rgb {
     match op {
-        Op::Primitive { name, material } => {
+        Op::Primitive { name, material, .. } => {
             let made_of = material.as_ref().unwrap_or(name);
             let [r, g, b, _] =
                 block_of(graph, made_of).map_or([200, 200, 200, 255], |state| block::color(&state).0);
@@ -259,7 +288,7 @@ fn fill_colour(graph: &OpGraph, op: &Op) -> Rgb {
 /// The block that a primitive is made of, where the text alone tells.
 fn block_of(graph: &OpGraph, expr: &Expr) -> Option<BlockState> {
     match expr {
-        Expr::Constant(at) => block_of(graph, &graph.constants.get(*at)?.1),
+        Expr::Constant(at) => block_of(graph, &graph.constants.get(*at)?.value),
         Expr::Thing(thing) => thing.block(),
         _ => None,
     }

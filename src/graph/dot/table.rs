@@ -7,7 +7,8 @@ use petgraph::graph::NodeIndex;
 
 /// Draws a split as a table of its parts, with an edge from the cell of each that is no terminal.
 pub fn draw(out: &mut Scope<'_, '_>, graph: &OpGraph, node: NodeIndex, params: &[String]) {
-    let is_vertical = *graph.op(node) == Op::Split { axis: Expr::Axis(graph.up.axis()), groups: Vec::new() };
+    let is_vertical =
+        *graph.op(node) == Op::Split { axis: Expr::Axis(graph.up.axis()), snap: None, groups: Vec::new() };
     let cells: Vec<String> =
         graph.children(node).enumerate().map(|(at, part)| cell(graph, node, at, part, params)).collect();
     let rows = match is_vertical {

@@ -1,15 +1,32 @@
-//! The component split into faces: a scope's shell, one block thick.
+//! Component splits: a scope's faces, which tile its shell.
 
-use crate::grammar::ast::Face;
+use crate::grammar::ast::{Carving, Face, Selector};
 use crate::graph::NodeIndex;
 use crate::space::{Axis, Scope, Turn, Up};
+
+/// A part that was carved out: its number, its operation and its scope.
+pub struct Part {
+    pub number: usize,
+    pub child: NodeIndex,
+    pub scope: Scope,
+}
+
+/// The named parts of a scope.
+pub fn carve(how: Carving, _args: &[i32], scope: &Scope, named: &[(&Selector, NodeIndex)]) -> Vec<Part> {
+    let _ = how;
+    let faces = named.iter().filter_map(|(selector, child)| match selector {
+        Selector::On(faces) => Some((*faces.first()?, *child)),
+        _ => None,
+    });
+    shell(scope, &faces.collect::<Vec<_>>())
+}
 
 /// The faces in the order in which they take cells. A cell that lies on several of the named faces belongs
 /// to the first of them, so that together they tile the shell once.
 const ORDER: [Face; 6] = [Face::Top, Face::Bottom, Face::Front, Face::Back, Face::Left, Face::Right];
 
 /// The named faces of a scope: the number of each, its operation and its scope.
-pub fn shell(scope: &Scope, named: &[(Face, NodeIndex)]) -> Vec<(usize, NodeIndex, Scope)> {
+fn shell(scope: &Scope, named: &[(Face, NodeIndex)]) -> Vec<Part> {
     let mut rest = *scope;
     let mut faces = Vec::new();
     for (number, face) in ORDER.into_iter().enumerate() {
@@ -17,7 +34,7 @@ pub fn shell(scope: &Scope, named: &[(Face, NodeIndex)]) -> Vec<(usize, NodeInde
             && !rest.is_empty()
         {
             let (slab, inner) = peel(&rest, face);
-            faces.push((number, child, slab));
+            faces.push(Part { number, child, scope: slab });
             rest = inner;
         }
     }
@@ -48,7 +65,7 @@ fn peel(scope: &Scope, face: Face) -> (Scope, Scope) {
         Face::Back => (depth, !front_is_low, 2),
         Face::Left => (Axis::X, true, 3),
         Face::Right => (Axis::X, false, 1),
-        Face::Front | Face::Side | Face::All => (depth, front_is_low, 0),
+        _ => (depth, front_is_low, 0),
     };
     let length = scope.len(axis);
     let (shell, rest) = match is_low {
