@@ -5,7 +5,7 @@ use super::{
     StartSize, Style, Thing,
 };
 use crate::grammar::ast::{
-    self, Against, ExprKind, Ident, Item, Rule, Successor, UnaryOp, for_each_expr_of_rule,
+    self, Against, ExprKind, Ident, Item, Rule, Successor, UnaryOp, for_each_call, for_each_expr_of_rule,
 };
 use crate::grammar::{Checked, Grammar, Name, Names, is_primitive};
 use petgraph::graph::{DiGraph, NodeIndex};
@@ -38,7 +38,7 @@ pub fn lower(checked: &Checked, start: Option<&str>) -> Result<OpGraph, BadStart
         }
         Some(_) => {}
     }
-    let mut lowering = Lowering::new(checked);
+    let mut lowering = Lowering::new(checked, start);
     lowering.out.root = lowering.label(start);
     while let Some((node, work)) = lowering.open.pop() {
         match work {
@@ -68,7 +68,7 @@ struct Lowering<'g> {
 }
 
 impl<'g> Lowering<'g> {
-    fn new(checked: &'g Checked) -> Lowering<'g> {
+    fn new(checked: &'g Checked, start: &'g str) -> Lowering<'g> {
         let grammar = checked.grammar();
         let plain = |expr: &ast::Expr| resolve(expr, Names { params: &[], constants: &grammar.constants });
         let out = OpGraph {
@@ -90,7 +90,13 @@ impl<'g> Lowering<'g> {
             names: BTreeMap::new(),
             origins: BTreeMap::new(),
         };
-        Lowering { checked, out, labels: BTreeMap::new(), asked: asked_labels(grammar), open: Vec::new() }
+        Lowering {
+            checked,
+            out,
+            labels: BTreeMap::new(),
+            asked: asked_labels(checked, start),
+            open: Vec::new(),
+        }
     }
 
     /// The node of a label, reserved now and filled later: rules may call one another in rings.
@@ -310,16 +316,25 @@ fn style(known: &ast::Style, grammar: &Grammar, plain: impl Fn(&ast::Expr) -> Ex
     Style { name: known.name.name.clone(), values: values.collect() }
 }
 
-/// The labels that occlusion and visibility queries of a grammar ask for.
-fn asked_labels(grammar: &Grammar) -> BTreeSet<&str> {
+/// The labels that the queries of rules which `start` leads to ask for.
+fn asked_labels<'g>(checked: &'g Checked, start: &'g str) -> BTreeSet<&'g str> {
     let mut asked = BTreeSet::new();
-    for rule in &grammar.rules {
-        for_each_expr_of_rule(rule, &mut |expr| match &expr.kind {
-            ExprKind::Occlusion { against: Against::Label(label), .. } | ExprKind::Visible(label) => {
-                asked.insert(label.as_str());
-            }
-            _ => {}
-        });
+    let mut reached = BTreeSet::from([start]);
+    let mut open = vec![start];
+    while let Some(label) = open.pop() {
+        for rule in checked.rules_of(label) {
+            for_each_expr_of_rule(rule, &mut |expr| match &expr.kind {
+                ExprKind::Occlusion { against: Against::Label(label), .. } | ExprKind::Visible(label) => {
+                    asked.insert(label.as_str());
+                }
+                _ => {}
+            });
+            for_each_call(&rule.successor, &mut |called| {
+                if reached.insert(called) {
+                    open.push(called);
+                }
+            });
+        }
     }
     asked
 }

@@ -11,7 +11,7 @@ use crate::space::Up;
 pub use carving::{Carving, Face, Selector};
 pub use expr::{Against, BinaryOp, Expr, ExprKind, Function, Share, UnaryOp};
 pub use op::{Change, Item, Op, Size, SizeKind, Snap, Successor};
-pub use visit::{for_each_child, for_each_expr, for_each_expr_of_rule};
+pub use visit::{for_each_call, for_each_child, for_each_expr, for_each_expr_of_rule};
 
 /// A whole grammar file.
 #[derive(Clone, PartialEq, Debug, Default)]

@@ -104,3 +104,11 @@ fn for_each_expr_of<'g>(successor: &'g Successor, visit: &mut impl FnMut(&'g Exp
     for_each_own_expr(&successor.op, &mut |expr| for_each_expr(expr, visit));
     for_each_child(&successor.op, &mut |child| for_each_expr_of(child, visit));
 }
+
+/// Visits every label that an operation calls.
+pub fn for_each_call<'g>(successor: &'g Successor, visit: &mut impl FnMut(&'g str)) {
+    if let Op::Call { label, .. } = &successor.op {
+        visit(&label.name);
+    }
+    for_each_child(&successor.op, &mut |child| for_each_call(child, visit));
+}

@@ -70,11 +70,3 @@ impl<'g> Checker<'g> {
         }
     }
 }
-
-/// Visits every label that an operation calls.
-fn for_each_call<'g>(successor: &'g Successor, visit: &mut impl FnMut(&'g str)) {
-    if let Op::Call { label, .. } = &successor.op {
-        visit(&label.name);
-    }
-    for_each_child(&successor.op, &mut |child| for_each_call(child, visit));
-}
