@@ -486,12 +486,18 @@ fn blocks_outside_of_the_regions_are_not_lost() {
 
     let void = grid.intern(&state("structure_void")).unwrap();
     grid.fill(Bounds::new(Cell::new(2, 0, 0), Cell::new(4, 1, 1)), void);
-    grid.metadata.regions = vec![half.clone(), half];
+    grid.metadata.regions = vec![half.clone(), half.clone()];
+    let encoded = encode_litematic(&grid, LitematicVersion::V6).unwrap();
+    assert_eq!(encoded.lost, [Lost::Regions { count: 2, tags: Vec::new() }], "no region reaches the end");
+
+    let end = Bounds::new(Cell::new(3, 0, 0), Cell::new(4, 1, 1));
+    let end = Region { name: "the end".into(), bounds: end, tags: Compound::new() };
+    grid.metadata.regions = vec![half.clone(), half, end];
     let encoded = encode_litematic(&grid, LitematicVersion::V6).unwrap();
     assert_eq!(encoded.lost, []);
     let names: Vec<String> =
         read_grid(&encoded.bytes).metadata.regions.iter().map(|region| region.name.clone()).collect();
-    assert_eq!(names, ["half", "half (2)"]);
+    assert_eq!(names, ["half", "half (2)", "the end"]);
 }
 
 #[test]

@@ -32,7 +32,7 @@ pub(super) fn of(grid: &Grid) -> (Vec<Piece<'_>>, Option<Lost>) {
     (pieces.collect(), None)
 }
 
-/// Whether all regions lie in the grid, and all blocks in regions.
+/// Whether all regions lie in the grid and reach to its ends, and all blocks and their data lie in regions.
 fn cover(grid: &Grid) -> bool {
     let mut bounds = grid.metadata.regions.iter().map(|region| region.bounds);
     if !bounds.clone().all(|bounds| !bounds.is_empty() && grid.bounds().contains_box(&bounds)) {
@@ -41,8 +41,23 @@ fn cover(grid: &Grid) -> bool {
     if bounds.any(|bounds| bounds == grid.bounds()) {
         return true;
     }
+    reach_the_ends(grid) && hold_the_blocks(grid)
+}
+
+/// Whether the box around all regions is the grid: that is all that a file says of its size.
+fn reach_the_ends(grid: &Grid) -> bool {
+    let bounds = grid.metadata.regions.iter().map(|region| region.bounds);
+    bounds.reduce(|all, next| all.union(&next)) == Some(grid.bounds())
+}
+
+fn hold_the_blocks(grid: &Grid) -> bool {
     let nobodys = grid.palette().find(&BlockState::structure_void());
     let mut left_out = grid.cells().mapv(|id| Some(id) != nobodys);
+    for [x, y, z] in grid.block_entities.keys().map(|place| place.map(|n| n as usize)) {
+        if let Some(left_out) = left_out.get_mut([y, z, x]) {
+            *left_out = true;
+        }
+    }
     for region in &grid.metadata.regions {
         left_out.slice_mut(slice(region.bounds)).fill(false);
     }

@@ -158,10 +158,10 @@ fn length(len: usize) -> Result<u32, WriteError> {
     u32::try_from(len).map_err(|_| WriteError::LongModel)
 }
 
-/// Whether anything but air is there, be it without a colour.
+/// Whether any block is there, be it without a colour.
 fn has_blocks(grid: &Grid) -> bool {
-    let is_air: Vec<bool> = grid.palette().states().iter().map(BlockState::is_air).collect();
-    grid.cells().iter().any(|&id| !is_air[usize::from(id)])
+    let is_nothing: Vec<bool> = grid.palette().states().iter().map(BlockState::is_nothing).collect();
+    grid.cells().iter().any(|&id| !is_nothing[usize::from(id)])
 }
 
 fn lost(grid: &Grid, painted: &Painted) -> Vec<Lost> {
