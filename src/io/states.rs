@@ -11,7 +11,8 @@ pub(super) fn read_palette(path: &str, entries: &[Tag]) -> Result<Vec<BlockState
     entries.map(|entry| entry.and_then(|(path, tags)| read(&Fields::new(path, tags)))).collect()
 }
 
-fn read(entry: &Fields) -> Result<BlockState, ReadError> {
+/// The state of an entry of a palette.
+pub(super) fn read(entry: &Fields) -> Result<BlockState, ReadError> {
     let mut text = entry.get::<&str>("Name")?.to_owned();
     if let Some(properties) = entry.inner("Properties")? {
         let pairs = properties.tags.keys().map(|key| Ok(format!("{key}={}", properties.get::<&str>(key)?)));

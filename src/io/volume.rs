@@ -36,12 +36,6 @@ pub(super) fn grid(size: Cell, cells: Vec<u16>, palette: Palette) -> Grid {
     Grid::from_cells(cells, palette).expect("cells hold numbers of their palette")
 }
 
-/// The place of the cell `at` in the order of the files: x fastest, then z, then y.
-pub(super) fn cell_at(at: usize, size: Cell) -> Cell {
-    let [width, _, length] = size.to_array().map(|n| n as usize);
-    Cell::new((at % width) as i32, (at / width / length) as i32, (at / width % length) as i32)
-}
-
 pub(super) fn full(path: impl Into<String>) -> impl Fn(PaletteFull) -> ReadError {
     let path = path.into();
     move |problem| ReadError::PaletteFull { path: path.clone(), problem }

@@ -1,6 +1,7 @@
 //! Sections: cubes of 16 blocks a side with a palette of their own, as in the game's worlds.
 
 use crate::block::{BlockState, Palette};
+use crate::io::error::Size;
 use crate::io::fields::Fields;
 use crate::io::{ReadError, states, volume};
 use crate::nbt::Compound;
@@ -35,7 +36,7 @@ impl Section {
         let cells = indices.iter().enumerate().map(|(at, &index)| {
             ids.get(index).copied().ok_or_else(|| ReadError::NotInPalette {
                 path: blocks.path("data"),
-                cell: volume::cell_at(at, Cell::splat(SIDE)),
+                cell: Size(Cell::splat(SIDE)).cell(at),
                 index: index as u32,
                 entries: ids.len(),
             })
@@ -49,7 +50,7 @@ impl Section {
 
     /// All cells with their palette numbers.
     pub fn cells(&self) -> impl Iterator<Item = (Cell, u16)> {
-        let place = |at| self.corner + volume::cell_at(at, Cell::splat(SIDE));
+        let place = |at| self.corner + Size(Cell::splat(SIDE)).cell(at);
         self.ids.iter().enumerate().map(move |(at, &id)| (place(at), id))
     }
 

@@ -9,6 +9,7 @@
 mod placeholder;
 
 use super::entities::{Found, Frame};
+use super::error::Size;
 use super::fields::Fields;
 use super::{Limits, ReadError, Warning, states, volume};
 use crate::block::Palette;
@@ -75,7 +76,7 @@ impl Blocks {
         let (mut cells, mut ground) = (Vec::with_capacity(volume), 0);
         for index in pairs.iter().flat_map(|pair| halves(*pair)).take(volume) {
             let Some(&id) = ids.get(usize::from(index)) else {
-                let (path, cell) = (root.path("blocks"), volume::cell_at(cells.len(), size));
+                let (path, cell) = (root.path("blocks"), Size(size).cell(cells.len()));
                 return Err(ReadError::NotInPalette { path, cell, index: index.into(), entries: ids.len() });
             };
             cells.push(id);

@@ -2,6 +2,7 @@
 
 use super::palette::Entry;
 use crate::block::{BlockState, Palette, is_always_in_water, is_water, takes_water};
+use crate::io::error::Size;
 use crate::io::fields::{Fields, FromTag};
 use crate::io::{Limits, ReadError, Warning, volume};
 use crate::nbt::Tag;
@@ -33,7 +34,7 @@ pub(super) fn read(
     let mut mix = Mix { entries, palette: Palette::default(), known: BTreeMap::new() };
     let mut numbers = Vec::with_capacity(first.entries.len());
     for at in 0..first.entries.len() {
-        let cell = volume::cell_at(at, size);
+        let cell = Size(size).cell(at);
         let over = second.as_ref().map_or(Ok(None), |layer| layer.index(cell))?;
         numbers.push(mix.number(first.index(cell)?, over).map_err(volume::full("block_palette"))?);
     }

@@ -4,8 +4,7 @@ use super::packing::{self, bits};
 use crate::block::BlockState;
 use crate::io::fields::Fields;
 use crate::io::legacy::{self, Ids, Strangers};
-use crate::io::{ReadError, volume};
-use crate::nbt::Tag;
+use crate::io::{ReadError, states, volume};
 
 pub(super) const CELLS: usize = 16 * 16 * 16;
 
@@ -66,7 +65,8 @@ fn half(bytes: &[i8], at: usize) -> u8 {
 }
 
 fn of_palette(fields: &Fields, palette: &str, data: &str) -> Result<Section, ReadError> {
-    let states = fields.list(palette)?.iter().map(state).collect::<Result<Vec<BlockState>, ReadError>>()?;
+    let states =
+        fields.list(palette)?.iter().map(states::read).collect::<Result<Vec<BlockState>, ReadError>>()?;
     let ids = indices(fields, data, states.len(), LEAST_BITS, CELLS)?;
     let path = || fields.path(data);
     match ids.iter().position(|&id| id as usize >= states.len()) {
@@ -92,26 +92,4 @@ pub(super) fn indices(
             ReadError::PackedLength { path: fields.path(name), longs: longs.len(), count, entries }
         }),
     }
-}
-
-fn state(fields: &Fields) -> Result<BlockState, ReadError> {
-    let mut text = fields.get::<&str>("Name")?.to_owned();
-    if let Some(properties) = fields.inner("Properties")?.filter(|fields| !fields.tags.is_empty()) {
-        let each = properties.tags.keys().map(|key| Ok(format!("{key}={}", properties.get::<&str>(key)?)));
-        text += &format!("[{}]", each.collect::<Result<Vec<String>, ReadError>>()?.join(","));
-    }
-    text.parse().map_err(|problem| ReadError::PaletteEntry {
-        path: fields.path("Name"),
-        entry: text,
-        problem,
-    })
-}
-
-/// The entry of a palette for `state`.
-pub(super) fn entry(state: &BlockState) -> Tag {
-    let name = ("Name".to_owned(), Tag::String(state.name().to_owned()));
-    let properties = state.properties().map(|(key, value)| (key.to_owned(), Tag::String(value.to_owned())));
-    let properties = ("Properties".to_owned(), Tag::Compound(properties.collect()));
-    let has_properties = state.properties().next().is_some();
-    Tag::Compound(std::iter::once(name).chain(has_properties.then_some(properties)).collect())
 }

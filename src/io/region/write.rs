@@ -1,14 +1,14 @@
 use super::chunk::Column;
 use super::packing::{bits, pack};
 use super::read::columns;
-use super::section::{self, CELLS, LEAST_BITS};
+use super::section::{CELLS, LEAST_BITS};
 use super::table::{HEAD, SECTOR};
 use super::world::beside_name;
 use super::{CHUNK, REGION, biomes};
 use crate::block::{Palette, complete_in};
 use crate::grid::{Grid, is_named};
 use crate::io::entities::Frame;
-use crate::io::{self, Lost, WriteError};
+use crate::io::{self, Lost, WriteError, states};
 use crate::nbt::{self, Compound, Tag};
 use crate::space::{Bounds, Cell};
 use flate2::Compression;
@@ -146,7 +146,7 @@ impl States {
         let version = grid.version();
         let void = states.iter().position(|state| state.short_name() == "structure_void");
         States {
-            entries: states.iter().map(|state| section::entry(&complete_in(state, version))).collect(),
+            entries: states.iter().map(|state| states::write(&complete_in(state, version))).collect(),
             void: void.map(|id| id as u16),
         }
     }

@@ -5,9 +5,9 @@ use super::incoming::Incoming;
 use super::{WE_OFFSET, biomes, entities};
 use crate::grid::{Grid, Metadata};
 use crate::io::error::Size;
-use crate::io::fields::{Extent, Fields, FromTag};
+use crate::io::fields::{Fields, FromTag};
 use crate::io::varint::Varints;
-use crate::io::{Limits, ReadError, Warning};
+use crate::io::{Limits, ReadError, Warning, volume};
 use crate::nbt::Compound;
 use crate::space::{Bounds, Cell};
 
@@ -41,7 +41,7 @@ fn grid(
 ) -> Result<Grid, ReadError> {
     let fields = body.fields();
     check_version(&fields)?;
-    let size = size(&fields)?;
+    let size = volume::size(&fields, ["Width", "Height", "Length"])?;
     let (blocks, key) = match fields.inner("Blocks")? {
         Some(blocks) => (blocks, "Data"),
         None => (fields.clone(), "BlockData"),
@@ -65,14 +65,6 @@ fn check_version(body: &Fields) -> Result<(), ReadError> {
         None | Some(1..=3) => Ok(()),
         Some(found) => Err(ReadError::Version { path: body.path("Version"), found }),
     }
-}
-
-fn size(body: &Fields) -> Result<Cell, ReadError> {
-    let extent = |name| match body.get(name)? {
-        Extent(0) => Err(ReadError::ZeroSize { path: body.path(name) }),
-        Extent(n) => Ok(i32::from(n)),
-    };
-    Ok(Cell::new(extent("Width")?, extent("Height")?, extent("Length")?))
 }
 
 /// A size is not believed without its bytes: every block takes one at least.
