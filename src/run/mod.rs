@@ -3,6 +3,7 @@
 
 mod brush;
 mod carve;
+pub mod context;
 mod derive;
 mod error;
 mod eval;
