@@ -51,7 +51,8 @@ fn queries(c: &mut Criterion) {
     let shapes = town.len();
     let tiles: Vec<ShapeId> = tiles.iter().copied().step_by(tiles.len() / 10_000).take(10_000).collect();
     assert!(shapes >= 100_000 && tiles.len() == 10_000, "{shapes} shapes, {} tiles", tiles.len());
-    let town = town.snapshot();
+    town.refresh();
+    let town = town.view();
     let mut group = c.benchmark_group("10,000 questions");
     group.sample_size(10);
     for (name, against, distance) in [
@@ -74,11 +75,7 @@ fn snapshots(c: &mut Criterion) {
     let mut group = c.benchmark_group("snapshot");
     group.sample_size(10);
     group.bench_function("100,000 shapes at once", |b| {
-        b.iter_batched_ref(
-            || town(1_225).0,
-            |town| town.snapshot().shape(ShapeId::FIRST).boxes.len(),
-            BatchSize::PerIteration,
-        );
+        b.iter_batched_ref(|| town(1_225).0, Configuration::refresh, BatchSize::PerIteration);
     });
     group.finish();
 }

@@ -2,6 +2,8 @@
 
 #[path = "laws/checked.rs"]
 mod checked;
+#[path = "laws/context.rs"]
+mod context;
 #[path = "laws/graphs.rs"]
 mod graphs;
 #[path = "laws/limits.rs"]
@@ -21,7 +23,7 @@ use vox::grammar::ast::Grammar;
 use vox::grammar::{Diagnostic, check, parse};
 use vox::graph::{OpGraph, lower};
 use vox::grid::{Grid, LabelledBox};
-use vox::run::{Library, Limits, Options, Overrun, RunError, run, run_boxes};
+use vox::run::{Library, Limits, Options, RunError, run, run_boxes};
 use vox::space::Cell;
 
 fn messages(findings: &[Diagnostic]) -> String {
@@ -43,7 +45,7 @@ fn graph(text: &str) -> OpGraph {
 const SHORT: Limits = Limits { cells: 1 << 20, depth: 1_000, steps: 200_000 };
 
 fn options(size: [i32; 3], seed: u64) -> Options {
-    Options { seed, size: Some(Cell::from(size)), overrun: Overrun::Refuse, limits: SHORT }
+    Options { seed, size: Some(Cell::from(size)), limits: SHORT, ..Options::default() }
 }
 
 fn blocks(graph: &OpGraph, options: &Options) -> Result<Grid, RunError> {

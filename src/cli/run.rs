@@ -44,6 +44,9 @@ pub struct Args {
     /// What to do where sizes do not fit their scope
     #[arg(long, value_enum, default_value = "error")]
     overrun: OverrunArg,
+    /// The last priority whose rules run; what waits for a later one stays a plain mass
+    #[arg(long, value_name = "N")]
+    detail: Option<u32>,
     /// Write the primitives as labelled boxes, one OBJ object each, instead of blocks
     #[arg(long)]
     boxes: bool,
@@ -119,6 +122,7 @@ fn make(
             OverrunArg::Error => Overrun::Refuse,
             OverrunArg::Clip => Overrun::Clip,
         },
+        detail: args.detail,
         limits: Limits { steps: args.max_steps, cells: args.max_cells, ..Limits::default() },
     };
     let inputs = std::slice::from_ref(&args.grammar);

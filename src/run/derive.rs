@@ -1,14 +1,17 @@
 //! The derivation: operations run on scopes until only primitives are left (seed 1, section 4.1).
 
 use super::carve::{Part, carve};
+use super::context::{sections, snapped};
 use super::error::{Kind, RunError, Warning};
 use super::eval::{Around, Env, Site, Things, Value, World};
+use super::known::Known;
 use super::place::Place;
 use super::rhythm::written_out;
+use super::rounds::{needs_rounds, rounds};
 use super::start::weighted;
 use super::{Options, Overrun};
-use crate::grammar::ast::{Carving, SizeKind};
-use crate::graph::{Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
+use crate::grammar::ast::{Carving, SizeKind, Snap};
+use crate::graph::{Alternative, Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
 use crate::space::{Axis, Bounds, Cell, Length, Misfit, Scope, Turn, clip, fit, shares};
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
@@ -47,7 +50,22 @@ pub fn derive<'g>(
     options: &Options,
     sink: &mut Sink<'_, 'g>,
 ) -> Result<Vec<Warning>, RunError> {
-    let world = World::new(graph, things, options.seed).map_err(RunError::anywhere)?;
+    let (mut derivation, root) = begin(graph, things, start, options, sink)?;
+    match derivation.known {
+        None => derivation.stream(root)?,
+        Some(_) => rounds(&mut derivation, root, &mut |_| {})?,
+    }
+    Ok(derivation.told())
+}
+
+/// A derivation before its first step.
+pub fn begin<'a, 's, 'g>(
+    graph: &'g OpGraph,
+    things: &'g Things,
+    start: Scope,
+    options: &'a Options,
+    sink: &'a mut Sink<'s, 'g>,
+) -> Result<(Derivation<'a, 's, 'g>, Task<'g>), RunError> {
     let root = Task {
         node: graph.root(),
         site: Site { scope: start, index: 0, total: 1 },
@@ -55,28 +73,24 @@ pub fn derive<'g>(
         place: Place::start(options.seed),
         depth: 0,
     };
-    let plot = start.bounds;
-    let mut derivation = Derivation {
+    let derivation = Derivation {
         graph,
-        world,
+        world: World::new(graph, things, options.seed).map_err(RunError::anywhere)?,
         options,
-        plot,
+        plot: start.bounds,
         sink,
-        stack: vec![root],
+        stack: Vec::new(),
+        placed: None,
+        known: needs_rounds(graph, options).then(|| Known::new(graph)),
         steps: 0,
         warnings: BTreeMap::new(),
     };
-    while let Some(task) = derivation.stack.pop() {
-        let node = task.node;
-        derivation.step(task).map_err(|kind| RunError::at(graph, node, kind))?;
-    }
-    let told = derivation.warnings.into_iter();
-    Ok(told.map(|(node, (kind, times))| Warning { error: RunError::at(graph, node, kind), times }).collect())
+    Ok((derivation, root))
 }
 
 /// An operation that is still to run, and where.
-struct Task<'g> {
-    node: NodeIndex,
+pub struct Task<'g> {
+    pub node: NodeIndex,
     site: Site,
     around: Rc<Around<'g>>,
     place: Place,
@@ -84,8 +98,12 @@ struct Task<'g> {
 }
 
 impl<'g> Task<'g> {
-    fn scope(&self) -> &Scope {
+    pub fn scope(&self) -> &Scope {
         &self.site.scope
+    }
+
+    pub fn no_rule(&self) -> Kind {
+        Kind::NoRule { scope: Axis::ALL.map(|axis| self.scope().len(axis)).into() }
     }
 
     /// The task of the child of that number, in `scope`.
@@ -106,14 +124,19 @@ impl<'g> Task<'g> {
     }
 }
 
-struct Derivation<'a, 's, 'g> {
-    graph: &'g OpGraph,
-    world: World<'g>,
-    options: &'a Options,
-    plot: Bounds,
+/// What steps share. A step leaves the children of its operation on the stack, and what it places beside it: whoever
+/// drives the derivation takes both from there.
+pub struct Derivation<'a, 's, 'g> {
+    pub graph: &'g OpGraph,
+    pub world: World<'g>,
+    pub options: &'a Options,
+    pub plot: Bounds,
     sink: &'a mut Sink<'s, 'g>,
     /// The last task is the next to run: children are pushed in reverse.
-    stack: Vec<Task<'g>>,
+    pub stack: Vec<Task<'g>>,
+    pub placed: Option<Placement<'g>>,
+    /// The other shapes, if rules ask of them.
+    pub known: Option<Known<'g>>,
     steps: u64,
     warnings: BTreeMap<NodeIndex, (Kind, u64)>,
 }
@@ -121,63 +144,82 @@ struct Derivation<'a, 's, 'g> {
 type Step = Result<(), Kind>;
 
 impl<'g> Derivation<'_, '_, 'g> {
-    fn step(&mut self, task: Task<'g>) -> Step {
-        self.count(&task)?;
+    /// Derives depth first: nothing is kept but what is still to run.
+    fn stream(&mut self, root: Task<'g>) -> Result<(), RunError> {
+        let graph = self.graph;
+        self.stack.push(root);
+        while let Some(task) = self.stack.pop() {
+            let fail = |kind| RunError::at(graph, task.node, kind);
+            self.step(&task).map_err(fail)?;
+            if let Some(placement) = self.placed.take() {
+                self.hand_on(task.node, placement).map_err(fail)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn told(self) -> Vec<Warning> {
+        let told = self.warnings.into_iter();
+        let told = told.map(|(node, (kind, times))| (RunError::at(self.graph, node, kind), times));
+        told.map(|(error, times)| Warning { error, times }).collect()
+    }
+
+    pub fn step(&mut self, task: &Task<'g>) -> Step {
+        self.count(task)?;
         let graph = self.graph;
         match graph.op(task.node) {
             Op::Nil => Ok(()),
             Op::Primitive { name, material, options } => {
-                self.primitive(&task, name, material.as_ref(), options)
+                self.primitive(task, name, material.as_ref(), options)
             }
             Op::All => {
-                self.all(&task);
+                self.all(task);
                 Ok(())
             }
-            Op::Split { axis, groups, .. } => self.split(&task, axis, groups),
-            Op::Repeat { axis, size, .. } => {
-                let (axis, count) = self.as_often_as_fits(&task, axis, size)?;
-                self.repeat(&task, axis, count)
-            }
+            Op::Split { axis, snap, groups } => self.split(task, axis, snap.as_ref(), groups),
+            Op::Repeat { axis, size, snap } => self.repeat_in_sections(task, axis, size, snap.as_ref()),
             Op::RepeatN { axis, count } => {
-                let (axis, count) = self.so_often(&task, axis, count)?;
-                self.repeat(&task, axis, count)
+                let (axis, count) = self.so_often(task, axis, count)?;
+                self.repeat(task, axis, &[(0, task.scope().len(axis), count)])
             }
             Op::Translate(delta) => {
-                let delta = self.lengths(&task, delta)?;
-                self.only(&task, task.site.scope.moved(delta))
+                let delta = self.lengths(task, delta)?;
+                self.only(task, task.site.scope.moved(delta))
             }
             Op::Resize(size) => {
-                let size = self.lengths(&task, size)?;
-                self.only(&task, task.site.scope.resized(size.max(Cell::ZERO)))
+                let size = self.lengths(task, size)?;
+                self.only(task, task.site.scope.resized(size.max(Cell::ZERO)))
             }
             Op::Rotate { axis, angle } => {
-                let turn = self.turn(&task, axis, angle)?;
-                self.only(&task, task.site.scope.turned(turn))
+                let turn = self.turn(task, axis, angle)?;
+                self.only(task, task.site.scope.turned(turn))
             }
-            Op::Carve { how, args } => self.carve(&task, *how, args),
-            Op::Local => self.around(&task, Around { local: task.place, ..(*task.around).clone() }),
-            Op::Same(key) => self.same(&task, key),
-            Op::Style(style) => self.around(&task, Around { style: style + 1, ..(*task.around).clone() }),
-            Op::Snap { .. } => Ok(()),
-            Op::Shape(_) => self.only(&task, *task.scope()),
-            Op::Choose => self.choose(&task),
-            Op::Call(args) => self.call(&task, args),
+            Op::Carve { how, args } => self.carve(task, *how, args),
+            Op::Local => self.around(task, Around { local: task.place, ..(*task.around).clone() }),
+            Op::Same(key) => self.same(task, key),
+            Op::Style(style) => self.around(task, Around { style: style + 1, ..(*task.around).clone() }),
+            Op::Snap { axis, label } => self.mark(task, axis, label.as_deref()),
+            Op::Shape(_) => self.only(task, *task.scope()),
+            Op::Choose => self.choose(task),
+            Op::Call(args) => self.call(task, args),
         }
     }
 
     /// Counts a step against the limits.
-    fn count(&mut self, task: &Task<'g>) -> Step {
+    pub fn count(&mut self, task: &Task<'g>) -> Step {
         let limits = self.options.limits;
-        self.steps += 1;
-        match self.steps > limits.steps {
-            true => Err(Kind::TooManySteps(limits.steps)),
-            false if task.depth > limits.depth => Err(Kind::TooDeep(limits.depth)),
-            false => Ok(()),
-        }
+        self.work(1)?;
+        if task.depth > limits.depth { Err(Kind::TooDeep(limits.depth)) } else { Ok(()) }
+    }
+
+    fn work(&mut self, steps: u64) -> Step {
+        let limit = self.options.limits.steps;
+        self.steps = self.steps.saturating_add(steps);
+        if self.steps > limit { Err(Kind::TooManySteps(limit)) } else { Ok(()) }
     }
 
     fn env<'t>(&'t self, task: &'t Task<'g>) -> Env<'t, 'g> {
-        Env::new(&self.world, &task.around, Some(&task.site), task.place)
+        Env::new(&self.world, &task.around, Some(&task.site), task.place).knowing(self.known.as_ref())
     }
 
     /// Children without a block are skipped, but those of a scope that was carved flat: `S` may give it depth.
@@ -217,11 +259,29 @@ impl<'g> Derivation<'_, '_, 'g> {
         self.stack[first..].reverse();
     }
 
+    /// Marks the planes that bound the scope along an axis.
+    fn mark(&mut self, task: &Task<'g>, axis: &'g Expr, label: Option<&str>) -> Step {
+        let axis = self.env(task).axis(axis)?;
+        if let Some(known) = &mut self.known {
+            known.mark(task.around.local, label, task.scope(), axis);
+        }
+        Ok(())
+    }
+
+    /// The planes that a split or a repeat keeps to, counted from the low end of its scope.
+    fn planes(&self, task: &Task<'g>, snap: Option<&Snap>, axis: Axis) -> Vec<i32> {
+        match (&self.known, snap) {
+            (Some(known), Some(snap)) => {
+                known.planes(task.around.local, snap.label.as_deref(), task.scope(), axis)
+            }
+            _ => Vec::new(),
+        }
+    }
+
     fn warn(&mut self, node: NodeIndex, kind: Kind) {
         self.warnings.entry(node).or_insert((kind, 0)).1 += 1;
     }
 
-    /// Hands a primitive on. A door without room is a warning: the rest of the building still stands.
     fn primitive(
         &mut self,
         task: &Task<'g>,
@@ -240,9 +300,15 @@ impl<'g> Derivation<'_, '_, 'g> {
         if scope.is_empty() {
             return Ok(());
         }
-        match (self.sink)(Placement { name, material, options: values, scope }) {
+        self.placed = Some(Placement { name, material, options: values, scope });
+        Ok(())
+    }
+
+    /// Hands a primitive on. A door without room is a warning: the rest of the building still stands.
+    pub fn hand_on(&mut self, node: NodeIndex, placement: Placement<'g>) -> Step {
+        match (self.sink)(placement) {
             Err(kind @ Kind::NoRoomForDoor) => {
-                self.warn(task.node, kind);
+                self.warn(node, kind);
                 Ok(())
             }
             result => result,
@@ -274,7 +340,7 @@ impl<'g> Derivation<'_, '_, 'g> {
         Ok(())
     }
 
-    fn split(&mut self, task: &Task<'g>, axis: &'g Expr, groups: &'g [Group]) -> Step {
+    fn split(&mut self, task: &Task<'g>, axis: &'g Expr, snap: Option<&Snap>, groups: &'g [Group]) -> Step {
         let axis = self.env(task).axis(axis)?;
         let total = task.site.scope.len(axis);
         let (mut lengths, mut children) = self.parts(task, total)?;
@@ -284,6 +350,7 @@ impl<'g> Derivation<'_, '_, 'g> {
             children = order.iter().map(|at| children[*at]).collect();
         }
         let bounds = self.fitted(task, axis, total, &lengths)?;
+        let bounds = self.snapped(task, snap, axis, bounds)?;
         let count = children.len();
         for (number, child) in children.into_iter().enumerate().rev() {
             if bounds[number] < bounds[number + 1] {
@@ -292,6 +359,18 @@ impl<'g> Derivation<'_, '_, 'g> {
             }
         }
         Ok(())
+    }
+
+    fn snapped(
+        &mut self,
+        task: &Task<'g>,
+        snap: Option<&Snap>,
+        axis: Axis,
+        bounds: Vec<i32>,
+    ) -> Result<Vec<i32>, Kind> {
+        let planes = self.planes(task, snap, axis);
+        self.work((planes.len() as u64).saturating_mul(bounds.len() as u64))?;
+        Ok(if planes.is_empty() { bounds } else { snapped(&bounds, &planes) })
     }
 
     /// The lengths and the children of a split, as they are written.
@@ -326,14 +405,23 @@ impl<'g> Derivation<'_, '_, 'g> {
         })
     }
 
-    /// How often a size fits along an axis, rounded up (seed 1, section 4.3.4).
-    fn as_often_as_fits(&self, task: &Task<'g>, axis: &'g Expr, size: &'g Expr) -> Result<(Axis, f64), Kind> {
+    /// Repeats a size in each section that the snap planes leave, all of the scope where there are none; in each as
+    /// often as it fits, rounded up (seed 1, section 4.3.4).
+    fn repeat_in_sections(
+        &mut self,
+        task: &Task<'g>,
+        axis: &'g Expr,
+        size: &'g Expr,
+        snap: Option<&Snap>,
+    ) -> Step {
         let mut env = self.env(task);
         let (axis, size) = (env.axis(axis)?, env.number(size)?);
-        match size > 0.0 {
-            true => Ok((axis, (f64::from(task.site.scope.len(axis)) / size - NOISE).ceil().max(1.0))),
-            false => Err(Kind::Step { what: "size", value: size }),
+        if size <= 0.0 {
+            return Err(Kind::Step { what: "size", value: size });
         }
+        let fits = |(low, high)| (low, high, (f64::from(high - low) / size - NOISE).ceil().max(1.0));
+        let sections = sections(task.scope().len(axis), &self.planes(task, snap, axis)).into_iter().map(fits);
+        self.repeat(task, axis, &sections.collect::<Few<_>>())
     }
 
     fn so_often(&self, task: &Task<'g>, axis: &'g Expr, count: &'g Expr) -> Result<(Axis, f64), Kind> {
@@ -354,27 +442,38 @@ impl<'g> Derivation<'_, '_, 'g> {
         }
     }
 
-    fn repeat(&mut self, task: &Task<'g>, axis: Axis, count: f64) -> Step {
+    /// Divides sections of the scope, from one place to another, so often each.
+    fn repeat(&mut self, task: &Task<'g>, axis: Axis, sections: &[(i32, i32, f64)]) -> Step {
         let graph = self.graph;
-        let total = task.site.scope.len(axis);
+        let first = self.stack.len();
+        let total: f64 = sections.iter().map(|(_, _, count)| count).sum();
+        let mut number = 0;
+        for &(from, to, count) in sections {
+            self.make_room(to - from, count)?;
+            for (_, child) in graph.children(task.node) {
+                for (at, (low, high)) in
+                    shares(to - from, count as u32).enumerate().filter(|(_, (low, high))| low < high)
+                {
+                    let part = task.scope().part(axis, from + low, from + high);
+                    self.push(task, task.share(number + at, total as usize, child, part));
+                }
+            }
+            number += count as usize;
+        }
+        self.stack[first..].reverse();
+        Ok(())
+    }
+
+    /// Counts the shares of a length against the limits.
+    fn make_room(&mut self, length: i32, count: f64) -> Step {
         if count > self.options.limits.steps as f64 {
             return Err(Kind::TooManySteps(self.options.limits.steps));
         }
         // Shares of no length are work as well.
-        self.steps += (count - f64::from(total)).max(0.0) as u64;
-        if self.stack.len() as f64 + count.min(f64::from(total)) > MOST_OPEN {
+        self.steps += (count - f64::from(length)).max(0.0) as u64;
+        if self.stack.len() as f64 + count.min(f64::from(length)) > MOST_OPEN {
             return Err(Kind::TooWide(MOST_OPEN as u64));
         }
-        let first = self.stack.len();
-        for (_, child) in graph.children(task.node) {
-            for (number, (low, high)) in
-                shares(total, count as u32).enumerate().filter(|(_, (low, high))| low < high)
-            {
-                let part = task.site.scope.part(axis, low, high);
-                self.push(task, task.share(number, count as usize, child, part));
-            }
-        }
-        self.stack[first..].reverse();
         Ok(())
     }
 
@@ -407,31 +506,54 @@ impl<'g> Derivation<'_, '_, 'g> {
         Ok(())
     }
 
+    /// Tries the rules of a label level by level.
     fn choose(&mut self, task: &Task<'g>) -> Step {
-        let graph = self.graph;
+        let mut level = self.next_level(task.node, None);
+        while let Some(at) = level {
+            if self.choose_at(task, at)? {
+                return Ok(());
+            }
+            level = self.next_level(task.node, level);
+        }
+        Err(task.no_rule())
+    }
+
+    /// The first priority that a rule of a label has, after one.
+    pub fn next_level(&self, node: NodeIndex, after: Option<u32>) -> Option<u32> {
+        let levels = self.alternatives(node).map(|(_, alternative, _)| alternative.priority);
+        levels.filter(|at| Some(*at) > after).min()
+    }
+
+    fn alternatives(
+        &self,
+        node: NodeIndex,
+    ) -> impl Iterator<Item = (usize, &'g Alternative, NodeIndex)> + use<'g> {
+        let children = self.graph.children(node).enumerate();
+        children.filter_map(|(number, (arg, child))| match arg {
+            Arg::Alternative(alternative) => Some((number, alternative, child)),
+            _ => None,
+        })
+    }
+
+    /// Draws one of the rules of that priority whose conditions hold, if any does.
+    pub fn choose_at(&mut self, task: &Task<'g>, level: u32) -> Result<bool, Kind> {
         let mut env = self.env(task);
         let (mut weights, mut open) = (Few::new(), Few::new());
-        let mut level = u32::MAX;
-        for (number, (arg, child)) in graph.children(task.node).enumerate() {
-            let Arg::Alternative(alternative) = arg else { continue };
-            if alternative.priority > level {
-                continue;
-            }
-            if alternative.condition.as_ref().map_or(Ok(true), |condition| env.truth(condition))? {
-                if alternative.priority < level {
-                    (weights, open, level) = (Few::new(), Few::new(), alternative.priority);
-                }
+        for (number, alternative, child) in self.alternatives(task.node) {
+            if alternative.priority == level
+                && alternative.condition.as_ref().map_or(Ok(true), |condition| env.truth(condition))?
+            {
                 weights.push(env.number(&alternative.weight)?);
                 open.push((number, child));
             }
         }
         if open.is_empty() {
-            return Err(Kind::NoRule { scope: Axis::ALL.map(|axis| task.site.scope.len(axis)).into() });
+            return Ok(false);
         }
         let draw = if open.len() > 1 { env.draw() } else { 0.0 };
         let (number, child) = open[weighted(&weights, draw)?];
         self.push(task, task.child(number, child, *task.scope()));
-        Ok(())
+        Ok(true)
     }
 
     fn call(&mut self, task: &Task<'g>, args: &'g [Expr]) -> Step {

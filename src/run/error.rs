@@ -27,6 +27,7 @@ pub enum Kind {
     TooDeep(u32),
     TooManySteps(u64),
     TooWide(u64),
+    TooMany(u64),
     NoThing(String),
     NoFile(String),
     NoRoomForDoor,
@@ -73,6 +74,10 @@ impl RunError {
             }
             Kind::TooManySteps(_) => "raise it with `--max-steps` if so much is meant".to_owned(),
             Kind::TooWide(_) => "split the scope into a few parts first, and repeat inside them".to_owned(),
+            Kind::TooMany(_) => {
+                "make it in several runs, or ask fewer questions: with none, no shape has to be kept"
+                    .to_owned()
+            }
             Kind::OutsidePlot => {
                 "keep T and S inside the start scope, or cut off with `--overrun clip`".to_owned()
             }
@@ -116,6 +121,9 @@ impl fmt::Display for Kind {
             Kind::TooDeep(limit) => write!(f, "rules call one another more than {limit} deep"),
             Kind::TooManySteps(limit) => write!(f, "the derivation takes more than {limit} steps"),
             Kind::TooWide(limit) => write!(f, "a repeat opens more than {limit} scopes at once"),
+            Kind::TooMany(limit) => {
+                write!(f, "rules that ask of other shapes keep all of them, and there are more than {limit}")
+            }
             Kind::NoThing(name) => write!(f, "there is no block or primitive `{name}`"),
             Kind::NoFile(name) => write!(f, "the file \"{name}\" was not loaded"),
             Kind::NoRoomForDoor => write!(f, "a door needs a scope two blocks high: it was left out"),

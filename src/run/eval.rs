@@ -1,4 +1,5 @@
 use super::error::Kind;
+use super::known::Known;
 use super::place::Place;
 use super::start::weighted;
 use crate::grammar::ast::{BinaryOp, Function, Share, UnaryOp};
@@ -59,6 +60,11 @@ impl<'g> World<'g> {
         Ok(world)
     }
 
+    /// Keeps a block for as long as the run lasts.
+    pub fn keep(&self, thing: Thing) -> &'g Thing {
+        self.things.keep(thing)
+    }
+
     fn constant(&self, graph: &'g OpGraph, style: usize, at: usize) -> Result<Value<'g>, Kind> {
         let constant = &graph.constants[at];
         let styled = style.checked_sub(1).and_then(|style| {
@@ -99,6 +105,7 @@ pub struct Env<'a, 'g> {
     world: &'a World<'g>,
     around: &'a Around<'g>,
     site: Option<&'a Site>,
+    known: Option<&'a Known<'g>>,
     stream: Stream,
 }
 
@@ -113,7 +120,12 @@ pub type Eval<T> = Result<T, Box<Kind>>;
 
 impl<'a, 'g> Env<'a, 'g> {
     pub fn new(world: &'a World<'g>, around: &'a Around<'g>, site: Option<&'a Site>, place: Place) -> Self {
-        Env { world, around, site, stream: Stream::At(place) }
+        Env { world, around, site, known: None, stream: Stream::At(place) }
+    }
+
+    /// With answers about other shapes.
+    pub fn knowing(self, known: Option<&'a Known<'g>>) -> Self {
+        Env { known, ..self }
     }
 
     pub fn number(&mut self, expr: &'g Expr) -> Eval<f64> {
@@ -182,10 +194,19 @@ impl<'a, 'g> Env<'a, 'g> {
             }
             Expr::Same(key, value) => {
                 let place = self.keyed(key)?;
-                Env::new(self.world, self.around, self.site, place).value(value)?
+                Env::new(self.world, self.around, self.site, place).knowing(self.known).value(value)?
             }
-            Expr::Occlusion { .. } | Expr::Visible(_) => truth(false),
+            Expr::Occlusion { against, distance } => {
+                let distance = distance.as_deref().map_or(Ok(0.0), |distance| self.number(distance))?;
+                Value::Number(self.ask(|known, scope| known.occlusion(scope, against, distance)))
+            }
+            Expr::Visible(label) => Value::Number(self.ask(|known, scope| known.visible(scope, label))),
         })
+    }
+
+    /// An answer about other shapes. Where there are none, as for constants, nothing is found.
+    fn ask(&self, ask: impl FnOnce(&Known<'g>, &Scope) -> f64) -> f64 {
+        self.known.zip(self.site).map_or(0.0, |(known, site)| ask(known, &site.scope))
     }
 
     /// The place that a key stands for.

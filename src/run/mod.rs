@@ -7,9 +7,11 @@ pub mod context;
 mod derive;
 mod error;
 mod eval;
+mod known;
 mod place;
 mod ramp;
 mod rhythm;
+mod rounds;
 mod solid;
 mod start;
 
@@ -58,6 +60,8 @@ pub struct Options {
     /// The size of the start scope in the grammar's axes; `None` to draw one of the grammar's own.
     pub size: Option<Cell>,
     pub overrun: Overrun,
+    /// The last priority whose rules run; shapes that wait for a later one stay plain masses. `None` for all.
+    pub detail: Option<u32>,
     pub limits: Limits,
 }
 

@@ -77,8 +77,13 @@ impl Configuration {
         self.shapes.is_empty()
     }
 
-    /// The configuration as it stands. No shape can be added or replaced while questions are asked.
-    pub fn snapshot(&mut self) -> Snapshot<'_> {
+    /// The configuration for those who ask: shapes that came after the last refresh are not found.
+    pub fn view(&self) -> Snapshot<'_> {
+        Snapshot { configuration: self }
+    }
+
+    /// Makes all shapes ready to be found.
+    pub fn refresh(&mut self) {
         let labels = self.shapes[self.indexed..].iter().filter_map(|shape| shape.label);
         let labels = labels.map(|label| label.0 as usize + 1).max().unwrap_or(0);
         self.labelled.resize_with(labels.max(self.labelled.len()), Index::default);
@@ -98,7 +103,6 @@ impl Configuration {
             index.extend(entries);
         }
         self.indexed = self.shapes.len();
-        Snapshot { configuration: self }
     }
 
     /// The depth and the jump of a child: jumps double as the digits of a skew binary number do.
@@ -169,7 +173,8 @@ mod tests {
                 let late = ids.len() - 1 - parent.index(ids.len()).min(2).min(ids.len() - 1);
                 ids.push(configuration.add(Some(ids[late]), None, smallvec![]));
             }
-            let snapshot = configuration.snapshot();
+            configuration.refresh();
+        let snapshot = configuration.view();
             for &below in &ids {
                 let chain: Vec<ShapeId> =
                     std::iter::successors(Some(below), |id| snapshot.shape(*id).parent).collect();

@@ -127,7 +127,7 @@ mod tests {
                 shape.boxes.iter().copied().collect(),
             ));
             if at == snapshot_at {
-                configuration.snapshot();
+                configuration.refresh();
             }
         }
         for (id, shape) in ids.iter().zip(given) {
@@ -184,7 +184,8 @@ mod tests {
             distance in 0..3i32,
         ) {
             let (mut configuration, ids) = configuration(&given, snapshot_at);
-            let snapshot = configuration.snapshot();
+            configuration.refresh();
+        let snapshot = configuration.view();
             let asker = *asker.get(&ids);
             let expected = by_cells(snapshot, &ids, asker, against, distance);
             prop_assert_eq!(snapshot.occlusion(snapshot.asker(asker), against, distance), expected);
@@ -200,7 +201,8 @@ mod tests {
         let tile = configuration.add(Some(wall), Some(Label(1)), of([0, 0, 0], [3, 4, 1]));
         let beside = configuration.add(Some(wall), Some(Label(1)), of([3, 0, 0], [6, 4, 1]));
         let tower = configuration.add(None, Some(Label(2)), of([4, 0, -2], [9, 9, 3]));
-        let snapshot = configuration.snapshot();
+        configuration.refresh();
+        let snapshot = configuration.view();
         let ask = |shape, against, distance| snapshot.occlusion(snapshot.asker(shape), against, distance);
         assert_eq!(ask(tile, Against::All, 0), Occlusion::Full);
         assert_eq!(ask(tile, Against::Active, 0), Occlusion::None);

@@ -202,7 +202,8 @@ mod tests {
         for other in others {
             configuration.add(None, None, smallvec![*other]);
         }
-        let snapshot = configuration.snapshot();
+        configuration.refresh();
+        let snapshot = configuration.view();
         snapshot.visible(snapshot.asker(asker), STREET)
     }
 
@@ -258,7 +259,8 @@ mod tests {
         let wing = add(Some(house), 3, [0, 0, 5], [9, 9, 7]);
         add(Some(lot), 0, [0, 0, 12], [9, 1, 14]);
         let far = add(Some(lot), 0, [-8, 0, 0], [-6, 1, 5]);
-        let snapshot = configuration.snapshot();
+        configuration.refresh();
+        let snapshot = configuration.view();
         let sees = |shape, label| snapshot.visible(snapshot.asker(shape), Label(label));
         assert!(sees(house, 0) && sees(wing, 0) && sees(far, 1));
         assert!(

@@ -7,18 +7,20 @@ use std::ops::Bound::Excluded;
 
 /// How far a plane reaches: the whole run, or what lies within one `local`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Region(pub u32);
+pub struct Region(pub u64);
 
-/// The planes that are marked. Each is known by its region, its label, its axis of the world and its place on it.
+/// The planes that are marked, by region, label, axis of the world and place on it. All of them stand under no label.
 #[derive(Clone, Default, Debug)]
 pub struct Planes(BTreeSet<(Region, Option<Label>, Axis, i32)>);
 
 impl Planes {
+    /// A plane with a label is found by it and among all; so it is kept twice.
     pub fn mark(&mut self, region: Region, label: Option<Label>, axis: Axis, at: i32) {
+        self.0.insert((region, None, axis, at));
         self.0.insert((region, label, axis, at));
     }
 
-    /// The planes of a label, or those without one, that lie between two places and on neither, in order.
+    /// The planes of a label, or all, that lie between two places and on neither, in order.
     pub fn between(
         &self,
         region: Region,
@@ -124,8 +126,8 @@ mod tests {
         planes.mark(here, None, Axis::X, 6);
         let between =
             |label, axis, low, high| planes.between(here, label, axis, low, high).collect::<Vec<_>>();
-        assert_eq!(between(None, Axis::Y, 2, 9), [5, 7]);
-        assert_eq!(between(None, Axis::Y, 0, 10), [2, 5, 7, 9]);
+        assert_eq!(between(None, Axis::Y, 2, 9), [4, 5, 7]);
+        assert_eq!(between(None, Axis::Y, 0, 10), [2, 4, 5, 7, 9]);
         assert_eq!(between(label, Axis::Y, 0, 10), [4]);
         assert_eq!(between(None, Axis::Z, 0, 10), [0; 0]);
         assert_eq!(between(None, Axis::Y, 9, 2), [0; 0]);
