@@ -16,7 +16,7 @@ pub use bounds::Bounds;
 pub use fit::{Length, Misfit, clip, fit, shares};
 pub use footprint::{Corner, Depths, Footprint, Wall, shape_h, shape_l, shape_o, shape_t, shape_u};
 pub use frame::{Frame, Up};
-pub use rect::{Rect, Spot};
+pub use rect::{Rect, SIDES, Spot};
 pub use scope::Scope;
 pub use turn::Turn;
 pub use view::View;

@@ -4,6 +4,9 @@ use glam::{IVec2, Vec3Swizzles};
 /// A place in the plan of the world: `x` is east, and `y` is the world's z, south.
 pub type Spot = IVec2;
 
+/// The steps to the four neighbours of a place.
+pub const SIDES: [Spot; 4] = [Spot::X, Spot::Y, Spot::NEG_X, Spot::NEG_Y];
+
 /// A half-open rectangle of the world's plan.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Rect {

@@ -1,6 +1,7 @@
 //! Footprints: which cells of the plan a shape stands on.
 
 mod depth;
+mod parts;
 mod rectangles;
 mod round;
 mod walls;
