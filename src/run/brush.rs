@@ -11,6 +11,7 @@ use crate::grammar::is_primitive;
 use crate::graph::Thing;
 use crate::grid::Grid;
 use crate::space::{Axis, Bounds, Cell, Scope, Turn};
+use glam::Vec3Swizzles;
 use rustc_hash::FxHashMap;
 
 /// What a primitive is made of and how it fills its scope.
@@ -61,13 +62,13 @@ impl<'l, 'g> Brushes<'l, 'g> {
                         id
                     }
                 };
-                grid.fill(scope.bounds, id);
+                boxes(&placement).for_each(|bounds| grid.fill(bounds, id));
                 Ok(())
             }
             Brush::Mix(parts) => {
                 let ids = interned(grid, parts.iter().map(|(_, state)| state), scope)?;
                 let total = parts.last().map_or(0.0, |(sum, _)| *sum);
-                for cell in scope.bounds.cells() {
+                for cell in boxes(&placement).flat_map(Bounds::cells) {
                     let draw = noise(self.place, cell) * total;
                     grid.set(cell, ids[parts.partition_point(|(sum, _)| *sum <= draw).min(ids.len() - 1)]);
                 }
@@ -75,15 +76,15 @@ impl<'l, 'g> Brushes<'l, 'g> {
             }
             Brush::Gradient(axis, blocks) => {
                 let ids = interned(grid, blocks.iter(), scope)?;
-                for cell in scope.bounds.cells() {
+                for cell in boxes(&placement).flat_map(Bounds::cells) {
                     let step = (ids.len() - 1) as f64 * scope.along(*axis, cell) + noise(self.place, cell);
                     grid.set(cell, ids[(step as usize).min(ids.len() - 1)]);
                 }
                 Ok(())
             }
-            Brush::Solid(slope, family) => build_solid(grid, *slope, family, scope),
-            Brush::Door(door) => build_door(grid, door, scope),
-            Brush::Stamp(file) => stamp(grid, file, scope),
+            Brush::Solid(slope, family) => build_solid(grid, *slope, family, &placement),
+            Brush::Door(door) => build_door(grid, door, &placement),
+            Brush::Stamp(file) => stamp(grid, file, &placement),
         }
     }
 
@@ -109,6 +110,20 @@ impl<'l, 'g> Brushes<'l, 'g> {
             (_, Some(material)) => block_of(material).map(Brush::Fill),
         }
     }
+}
+
+/// The boxes that a placement fills.
+pub fn boxes(placement: &Placement<'_>) -> impl Iterator<Item = Bounds> + use<> {
+    let bounds = placement.scope.bounds;
+    let whole = placement.footprint.is_none().then_some(bounds);
+    let rectangles = placement.footprint.iter().flat_map(|footprint| footprint.rectangles());
+    let parts: Vec<Bounds> = rectangles.map(|rect| rect.between(bounds.min.y, bounds.max.y)).collect();
+    whole.into_iter().chain(parts)
+}
+
+/// Whether a cell is in the footprint of a placement.
+fn is_there(placement: &Placement<'_>, cell: Cell) -> bool {
+    placement.footprint.as_ref().is_none_or(|footprint| footprint.contains(cell.xz()))
 }
 
 fn intern(grid: &mut Grid, state: &BlockState) -> Result<u16, Kind> {
@@ -201,10 +216,18 @@ fn door_of(material: Option<&Thing>) -> Result<BlockState, Kind> {
     family.door.ok_or_else(|| Kind::NoThing(format!("{}_door", material.map_or("oak", Thing::text))))
 }
 
-fn build_solid(grid: &mut Grid, slope: Slope, family: &Family, scope: &Scope) -> Result<(), Kind> {
+fn build_solid(
+    grid: &mut Grid,
+    slope: Slope,
+    family: &Family,
+    placement: &Placement<'_>,
+) -> Result<(), Kind> {
     let mut ids: FxHashMap<BlockState, u16> = FxHashMap::default();
     let mut failed = None;
-    solid::build(slope, family, scope, |cell, state| {
+    solid::build(slope, family, &placement.scope, |cell, state| {
+        if !is_there(placement, cell) {
+            return;
+        }
         let id = match ids.get(state) {
             Some(&id) => Ok(id),
             None => intern(grid, state).inspect(|&id| {
@@ -221,7 +244,8 @@ fn build_solid(grid: &mut Grid, slope: Slope, family: &Family, scope: &Scope) ->
 
 /// Doors stand on the floor of their scope, in the middle of its depth, and open to the front. Two side by
 /// side are hinged on their outer sides.
-fn build_door(grid: &mut Grid, door: &BlockState, scope: &Scope) -> Result<(), Kind> {
+fn build_door(grid: &mut Grid, door: &BlockState, placement: &Placement<'_>) -> Result<(), Kind> {
+    let scope = &placement.scope;
     let size = scope.bounds.size();
     if size.y < 2 {
         return Err(Kind::NoRoomForDoor);
@@ -235,6 +259,9 @@ fn build_door(grid: &mut Grid, door: &BlockState, scope: &Scope) -> Result<(), K
         // The number counts to the right as seen from the front.
         let from_min = if right.min_element() < 0 { along - 1 - number } else { number };
         let foot = middle + right.abs() * from_min;
+        if !is_there(placement, foot) {
+            continue;
+        }
         let hinge = if number % 2 == 0 { "left" } else { "right" };
         let lower = door.clone().with("facing", facing.name()).with("hinge", hinge);
         for (height, half) in ["lower", "upper"].into_iter().enumerate() {
@@ -246,8 +273,9 @@ fn build_door(grid: &mut Grid, door: &BlockState, scope: &Scope) -> Result<(), K
 }
 
 /// A file stands at the front left foot of its scope, turned with it and cut off at its ends. Its air is
-/// left out.
-fn stamp(grid: &mut Grid, file: &Grid, scope: &Scope) -> Result<(), Kind> {
+/// left out. Where a footprint has not room for all of it, nothing stands.
+fn stamp(grid: &mut Grid, file: &Grid, placement: &Placement<'_>) -> Result<(), Kind> {
+    let scope = &placement.scope;
     let turn = scope.frame.turn;
     let mut ids = Vec::with_capacity(file.palette().states().len());
     for state in file.palette().states() {
@@ -267,7 +295,11 @@ fn stamp(grid: &mut Grid, file: &Grid, scope: &Scope) -> Result<(), Kind> {
         let target = turn.apply(cell) + shift;
         scope.bounds.contains(target).then_some(target)
     };
-    for cell in file.bounds().cells().filter(|cell| !file.get(*cell).is_air()) {
+    let solid = || file.bounds().cells().filter(|cell| !file.get(*cell).is_air());
+    if !solid().filter_map(place).all(|target| is_there(placement, target)) {
+        return Ok(());
+    }
+    for cell in solid() {
         if let Some(target) = place(cell) {
             grid.set(target, ids[usize::from(file.id(cell))]);
         }

@@ -1,5 +1,6 @@
 //! The derivation: operations run on scopes until only primitives are left (seed 1, section 4.1).
 
+use super::body::Body;
 use super::carve::{Part, carve};
 use super::context::{sections, snapped};
 use super::error::{Kind, RunError, Warning};
@@ -12,7 +13,8 @@ use super::start::weighted;
 use super::{Options, Overrun};
 use crate::grammar::ast::{Carving, SizeKind, Snap};
 use crate::graph::{Alternative, Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
-use crate::space::{Axis, Bounds, Cell, Length, Misfit, Scope, Turn, clip, fit, shares};
+use crate::space::{Axis, Bounds, Cell, Footprint, Length, Misfit, Scope, Spot, Turn, clip, fit, shares};
+use glam::Vec3Swizzles;
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -33,6 +35,8 @@ pub struct Placement<'g> {
     pub material: Option<&'g Thing>,
     pub options: SmallVec<[(&'g str, Value<'g>); 0]>,
     pub scope: Scope,
+    /// The part of the plan that is there, inside the scope; `None` is all of it.
+    pub footprint: Option<Rc<Footprint>>,
 }
 
 /// How far from the origin a scope may reach, in blocks: twice as far is still a coordinate.
@@ -100,6 +104,17 @@ pub struct Task<'g> {
 impl<'g> Task<'g> {
     pub fn scope(&self) -> &Scope {
         &self.site.scope
+    }
+
+    /// The scope and what of its plan is there, if anything is.
+    pub fn body(&self) -> Option<Body> {
+        Body::within(self.site.scope, self.around.footprint.as_ref())
+    }
+
+    /// The same within `bounds`, if there are blocks.
+    pub fn body_within(&self, bounds: Bounds) -> Option<Body> {
+        let scope = Scope { bounds: self.site.scope.bounds.intersect(&bounds), ..self.site.scope };
+        Body::within(scope, self.around.footprint.as_ref()).filter(|body| !body.scope.is_empty())
     }
 
     pub fn no_rule(&self) -> Kind {
@@ -184,7 +199,7 @@ impl<'g> Derivation<'_, '_, 'g> {
             }
             Op::Translate(delta) => {
                 let delta = self.lengths(task, delta)?;
-                self.only(task, task.site.scope.moved(delta))
+                self.moved(task, delta)
             }
             Op::Resize(size) => {
                 let size = self.lengths(task, size)?;
@@ -297,10 +312,9 @@ impl<'g> Derivation<'_, '_, 'g> {
             values.push((option.as_str(), env.value(value)?));
         }
         let scope = self.inside(task)?;
-        if scope.is_empty() {
-            return Ok(());
-        }
-        self.placed = Some(Placement { name, material, options: values, scope });
+        let body = Body::within(scope, task.around.footprint.as_ref()).filter(|body| !body.scope.is_empty());
+        let Some(Body { scope, footprint }) = body else { return Ok(()) };
+        self.placed = Some(Placement { name, material, options: values, scope, footprint });
         Ok(())
     }
 
@@ -328,11 +342,23 @@ impl<'g> Derivation<'_, '_, 'g> {
         Ok(Scope { bounds, ..task.site.scope })
     }
 
+    /// Runs the only child in the scope moved along its axes, and what is there of it moved with it.
+    fn moved(&mut self, task: &Task<'g>, delta: Cell) -> Step {
+        let scope = within_reach(task.scope().moved(delta))?;
+        let shift = scope.bounds.min.xz() - task.scope().bounds.min.xz();
+        match &task.around.footprint {
+            Some(footprint) if shift != Spot::ZERO => {
+                let footprint = Some(Rc::new(footprint.moved(shift)));
+                let task = Task { site: Site { scope, ..task.site }, around: task.around.clone(), ..*task };
+                self.around(&task, Around { footprint, ..(*task.around).clone() })
+            }
+            _ => self.only(task, scope),
+        }
+    }
+
     /// Runs the only child in `scope`.
     fn only(&mut self, task: &Task<'g>, scope: Scope) -> Step {
-        if scope.bounds.min.min_element() < -FAR || scope.bounds.max.max_element() > FAR {
-            return Err(Kind::OutsidePlot);
-        }
+        let scope = within_reach(scope)?;
         let graph = self.graph;
         for (_, child) in graph.children(task.node) {
             self.push(task, task.child(0, child, scope));
@@ -490,20 +516,37 @@ impl<'g> Derivation<'_, '_, 'g> {
     }
 
     fn carve(&mut self, task: &Task<'g>, how: Carving, args: &'g [Expr]) -> Step {
-        let mut env = self.env(task);
-        let mut numbers = Few::new();
-        for arg in args {
-            numbers.push((env.number(arg)? + 0.5).floor().clamp(0.0, f64::from(FAR)) as i32);
-        }
+        let lengths = self.widths(task, how, args)?;
+        let Some(body) = task.body() else { return Ok(()) };
         let parts = self.graph.children(task.node).filter_map(|(arg, child)| match arg {
             Arg::Part(selector) => Some((selector, child)),
             _ => None,
         });
-        let carved = carve(how, &numbers, task.scope(), &parts.collect::<Few<_>>());
-        for Part { number, child, scope } in carved.into_iter().rev() {
-            self.stack.push(task.child(number, child, scope));
+        let carved = carve(how, &lengths, &body, &parts.collect::<Few<_>>());
+        for Part { number, child, body } in carved.into_iter().rev() {
+            let Body { scope, footprint } = body;
+            let part = task.child(number, child, scope);
+            let around = match footprint.is_some() || task.around.footprint.is_some() {
+                true => Rc::new(Around { footprint, ..(*task.around).clone() }),
+                false => task.around.clone(),
+            };
+            self.stack.push(Task { around, ..part });
         }
         Ok(())
+    }
+
+    /// The lengths that a carving takes, rounded to whole blocks.
+    fn widths(&self, task: &Task<'g>, how: Carving, args: &'g [Expr]) -> Result<Few<i32>, Kind> {
+        let mut env = self.env(task);
+        let mut widths = Few::new();
+        for arg in args {
+            let width = (env.number(arg)? + 0.5).floor();
+            if width < 0.0 {
+                return Err(Kind::Width { how, width });
+            }
+            widths.push(width.min(f64::from(FAR)) as i32);
+        }
+        Ok(widths)
     }
 
     /// Tries the rules of a label level by level.
@@ -563,6 +606,15 @@ impl<'g> Derivation<'_, '_, 'g> {
             params.push(env.value(arg)?);
         }
         self.around(task, Around { params: Rc::from(params.as_slice()), ..(*task.around).clone() })
+    }
+}
+
+/// A scope whose coordinates can be reckoned with.
+fn within_reach(scope: Scope) -> Result<Scope, Kind> {
+    let Bounds { min, max } = scope.bounds;
+    match min.min_element() < -FAR || max.max_element() > FAR {
+        true => Err(Kind::OutsidePlot),
+        false => Ok(scope),
     }
 }
 

@@ -1,3 +1,4 @@
+use crate::grammar::ast::Carving;
 use crate::graph::{NodeIndex, OpGraph, Origin};
 use crate::space::{Cell, Misfit};
 use std::fmt;
@@ -20,6 +21,7 @@ pub enum Kind {
     Type { expected: &'static str, found: String },
     NotANumber,
     Step { what: &'static str, value: f64 },
+    Width { how: Carving, width: f64 },
     Angle(f64),
     NotVertical { up: String },
     Rhythm,
@@ -66,6 +68,9 @@ impl RunError {
             Kind::NoRule { .. } => "add a rule without a condition, or one for this case".to_owned(),
             Kind::Step { what: "count", .. } => "a count is zero or more".to_owned(),
             Kind::Step { .. } => "a size is more than zero: `max(1, ...)` keeps it so".to_owned(),
+            Kind::Width { .. } => {
+                "`max(0, ...)` keeps it so; what is too wide for the scope fills it".to_owned()
+            }
             Kind::NotANumber => "keep the divisor from zero: `max(1, ...)`, or a condition".to_owned(),
             Kind::Angle(_) => "write pi/2, pi or 3*pi/2 (or 90, 180, 270 degrees)".to_owned(),
             Kind::NotVertical { up } => format!("write `R({up}, ...)`"),
@@ -111,6 +116,11 @@ impl fmt::Display for Kind {
                 write!(f, "an expression has no value: it divides by zero or grows without bound")
             }
             Kind::Step { what, value } => write!(f, "the {what} of a repeat is {value}, which is too little"),
+            Kind::Width { how, width } => write!(
+                f,
+                "`{})` takes lengths of zero blocks or more, and one of them is {width}",
+                how.head()
+            ),
             Kind::Angle(angle) => write!(f, "{angle} is not a multiple of a quarter turn"),
             Kind::NotVertical { up } => write!(f, "blocks only turn about the vertical, which is {up} here"),
             Kind::Rhythm => write!(

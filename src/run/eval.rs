@@ -1,10 +1,11 @@
+use super::body::Body;
 use super::error::Kind;
 use super::known::Known;
 use super::place::Place;
 use super::start::weighted;
 use crate::grammar::ast::{BinaryOp, Function, Share, UnaryOp};
 use crate::graph::{Expr, Number, OpGraph, Thing};
-use crate::space::{Axis, Scope};
+use crate::space::{Axis, Footprint, Scope};
 use elsa::index_set::FrozenIndexSet;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
@@ -84,11 +85,13 @@ pub struct Around<'g> {
     pub style: usize,
     /// The place from which coherent draws start.
     pub local: Place,
+    /// The cells of the world's plan that are there; `None` is all of them.
+    pub footprint: Option<Rc<Footprint>>,
 }
 
 impl Around<'_> {
     pub fn start(seed: u64) -> Self {
-        Around { params: Rc::from([]), style: 0, local: Place::start(seed) }
+        Around { params: Rc::from([]), style: 0, local: Place::start(seed), footprint: None }
     }
 }
 
@@ -198,15 +201,16 @@ impl<'a, 'g> Env<'a, 'g> {
             }
             Expr::Occlusion { against, distance } => {
                 let distance = distance.as_deref().map_or(Ok(0.0), |distance| self.number(distance))?;
-                Value::Number(self.ask(|known, scope| known.occlusion(scope, against, distance)))
+                Value::Number(self.ask(|known, body| known.occlusion(body, against, distance)))
             }
-            Expr::Visible(label) => Value::Number(self.ask(|known, scope| known.visible(scope, label))),
+            Expr::Visible(label) => Value::Number(self.ask(|known, body| known.visible(body, label))),
         })
     }
 
     /// An answer about other shapes. Where there are none, as for constants, nothing is found.
-    fn ask(&self, ask: impl FnOnce(&Known<'g>, &Scope) -> f64) -> f64 {
-        self.known.zip(self.site).map_or(0.0, |(known, site)| ask(known, &site.scope))
+    fn ask(&self, ask: impl FnOnce(&Known<'g>, &Body) -> f64) -> f64 {
+        let body = self.site.and_then(|site| Body::within(site.scope, self.around.footprint.as_ref()));
+        self.known.zip(body).map_or(0.0, |(known, body)| ask(known, &body))
     }
 
     /// The place that a key stands for.

@@ -1,11 +1,11 @@
 //! What a derivation knows of its shapes while rules ask of them.
 
+use super::body::Body;
 use super::context::{Against, Asker, Configuration, Label, Occlusion, Planes, Region, ShapeId};
 use super::place::Place;
 use crate::grammar::ast;
 use crate::graph::{Op, OpGraph};
 use crate::space::{Axis, Bounds, Scope};
-use smallvec::smallvec;
 use std::collections::BTreeMap;
 
 /// How far a distance reaches at the most: farther than any scope lies.
@@ -41,9 +41,9 @@ impl<'g> Known<'g> {
         }
     }
 
-    pub fn add(&mut self, parent: Option<ShapeId>, label: Option<&str>, scope: &Scope) -> ShapeId {
+    pub fn add(&mut self, parent: Option<ShapeId>, label: Option<&str>, body: &Body) -> ShapeId {
         let label = label.and_then(|label| self.labels.get(label).copied());
-        self.configuration.add(parent, label, smallvec![scope.bounds])
+        self.configuration.add(parent, label, body.boxes())
     }
 
     pub fn replace(&mut self, shape: ShapeId) {
@@ -90,21 +90,22 @@ impl<'g> Known<'g> {
 
     /// How much of a scope others cover: 0, 1 or 2 for none, part and full. A flat scope asks for the layer that `S` would
     /// give it, which lies before the face that it was carved from.
-    pub fn occlusion(&self, scope: &Scope, against: &ast::Against, distance: f64) -> f64 {
+    pub fn occlusion(&self, body: &Body, against: &ast::Against, distance: f64) -> f64 {
         let Some(against) = self.against(against) else { return 0.0 };
-        let layer = Axis::ALL.into_iter().filter(|axis| scope.len(*axis) == 0);
-        let bounds = layer.fold(*scope, |scope, axis| scope.part(axis, 0, 1)).bounds;
+        let flat = Axis::ALL.into_iter().filter(|axis| body.scope.len(*axis) == 0);
+        let layer = flat.fold(body.scope, |scope, axis| scope.part(axis, 0, 1));
+        let boxes = Body { scope: layer, ..body.clone() }.boxes();
         let distance = (distance + 0.5).floor().clamp(0.0, FAR) as i32;
-        self.ask(&[bounds], |view, asker| match view.occlusion(asker, against, distance) {
+        self.ask(&boxes, |view, asker| match view.occlusion(asker, against, distance) {
             Occlusion::None => 0.0,
             Occlusion::Part => 1.0,
             Occlusion::Full => 2.0,
         })
     }
 
-    pub fn visible(&self, scope: &Scope, label: &str) -> f64 {
+    pub fn visible(&self, body: &Body, label: &str) -> f64 {
         let Some(label) = self.labels.get(label) else { return 0.0 };
-        self.ask(&[scope.bounds], |view, asker| f64::from(u8::from(view.visible(asker, *label))))
+        self.ask(&body.boxes(), |view, asker| f64::from(u8::from(view.visible(asker, *label))))
     }
 
     fn ask(&self, boxes: &[Bounds], ask: impl FnOnce(super::context::Snapshot<'_>, Asker<'_>) -> f64) -> f64 {

@@ -1,6 +1,7 @@
 //! Running an op graph: a scope and a seed become placements, and placements become a grid.
 //! Knows nothing of inference or files.
 
+mod body;
 mod brush;
 mod carve;
 pub mod context;
@@ -99,7 +100,8 @@ pub fn run_boxes(graph: &OpGraph, options: &Options) -> Result<Made<Vec<Labelled
         let degrees = 90 * u32::from(placement.scope.frame.turn.count());
         let name = placement.name.text();
         let label = if degrees == 0 { name.to_owned() } else { format!("{name}@{degrees}") };
-        boxes.push(LabelledBox { label, bounds: placement.scope.bounds });
+        let filled = brush::boxes(&placement);
+        boxes.extend(filled.map(|bounds| LabelledBox { label: label.clone(), bounds }));
         Ok(())
     })?;
     Ok(Made { made: boxes, warnings })

@@ -6,13 +6,13 @@
 //! order of the text.
 
 use super::Options;
+use super::body::Body;
 use super::context::ShapeId;
 use super::derive::{Derivation, Placement, Task};
 use super::error::{Kind, RunError};
 use super::known::Known;
 use crate::grammar::ast::Rule;
 use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph, Thing};
-use crate::space::Scope;
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -127,7 +127,7 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
                 self.derivation.count(&pending.task)?;
                 let detail = self.derivation.options.detail;
                 if detail.is_some_and(|detail| pending.level > detail) {
-                    self.derivation.placed = self.mass(pending.task.scope());
+                    self.derivation.placed = self.mass(&pending.task);
                 } else if !self.derivation.choose_at(&pending.task, pending.level)? {
                     return self.next_level(pending);
                 }
@@ -188,7 +188,10 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
             _ => None,
         };
         let mut standing = Standing::Within(None);
-        self.known(|known| standing = Standing::Own(known.add(parent.shape(), label, task.scope())));
+        // What a footprint leaves nothing of is no shape.
+        if let Some(body) = task.body() {
+            self.known(|known| standing = Standing::Own(known.add(parent.shape(), label, &body)));
+        }
         standing
     }
 
@@ -211,11 +214,10 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
     }
 
     /// A plain mass in the place of what a later level would make.
-    fn mass(&self, scope: &Scope) -> Option<Placement<'g>> {
-        let bounds = scope.bounds.intersect(&self.derivation.plot);
+    fn mass(&self, task: &Task<'g>) -> Option<Placement<'g>> {
+        let Body { scope, footprint } = task.body_within(self.derivation.plot)?;
         let name = self.derivation.world.keep(Thing::Name(MASS.to_owned()));
-        let scope = Scope { bounds, ..*scope };
-        (!scope.is_empty()).then(|| Placement { name, material: None, options: SmallVec::new(), scope })
+        Some(Placement { name, material: None, options: SmallVec::new(), scope, footprint })
     }
 
     /// Hands on what was placed, in the order of the text.
@@ -283,7 +285,7 @@ mod tests {
     use super::super::derive::begin;
     use super::super::eval::Things;
     use super::*;
-    use crate::space::{Bounds, Cell, Frame};
+    use crate::space::{Bounds, Cell, Frame, Scope};
     use rand::SeedableRng;
     use rand::seq::SliceRandom;
     use rand_pcg::Pcg64Mcg;

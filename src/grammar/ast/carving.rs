@@ -48,9 +48,9 @@ impl Carving {
             Carving::Setback => (1..=1, "a depth, as in `setback(3)`"),
             Carving::Offset => (1..=1, "a depth, as in `offset(2)`"),
             Carving::L => (2..=2, "two widths: `shapeL(front, left)`"),
-            Carving::U => (3..=3, "three widths: `shapeU(back, left, right)`"),
-            Carving::T => (2..=2, "two widths: `shapeT(back, stem)`"),
-            Carving::H => (3..=3, "three widths: `shapeH(left, bar, right)`"),
+            Carving::U => (3..=3, "three widths: `shapeU(front, right, left)`"),
+            Carving::T => (2..=2, "two widths: `shapeT(front, stem)`"),
+            Carving::H => (3..=3, "three widths: `shapeH(right, across, left)`"),
             Carving::O => (1..=4, "one width, or four: `shapeO(front, right, back, left)`"),
             Carving::Round => (0..=0, "no arguments"),
         }
@@ -90,7 +90,10 @@ impl Selector {
     /// Whether parts of that name are carved so.
     pub fn suits(&self, how: Carving) -> bool {
         match (self, how) {
-            (Selector::On(faces), Carving::Faces | Carving::Setback) => faces.len() == 1,
+            (Selector::On(faces), Carving::Faces) => faces.len() == 1,
+            (Selector::On(faces), Carving::Setback) => {
+                faces.len() == 1 && !faces.iter().any(|face| matches!(face, Face::Top | Face::Bottom))
+            }
             (Selector::On(faces), Carving::Edges) => faces.len() <= 2,
             (Selector::On(faces), Carving::Vertices) => faces.len() <= 3,
             (Selector::Index(_), how) => how.is_component(),

@@ -116,7 +116,9 @@ fn parts_of(how: Carving) -> String {
         Carving::Faces => format!("the faces are {faces}; what is left is `inside`"),
         Carving::Edges => format!("edges lie on one face or two, as `top.front`; the faces are {faces}"),
         Carving::Vertices => format!("vertices lie on up to three faces, as `top.front.left`: {faces}"),
-        Carving::Setback => format!("the strips are {faces}; what is left is `inside`"),
+        Carving::Setback => {
+            "the strips are front, back, left, right, side, north, east, south and west; what is left is `inside`".to_owned()
+        },
         Carving::Offset => "its parts are `border` and `inside`".to_owned(),
         _ => "its parts are `shape` and `remainder`".to_owned(),
     }
