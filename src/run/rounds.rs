@@ -73,8 +73,7 @@ pub struct Pending<'g> {
     level: u32,
 }
 
-/// How an operation stands to the shapes. A scope is a shape where an operation runs in it; `T`, `S` and `R` only lead
-/// to one, and `nil` is none.
+/// How an operation stands to the shapes.
 #[derive(Clone, Copy)]
 enum Standing {
     Own(ShapeId),
@@ -180,12 +179,10 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
     /// How a child stands to the shapes; it becomes one if need be.
     fn standing(&mut self, task: &Task<'g>, parent: Standing, is_relay: bool) -> Standing {
         let label = match (self.op(task), parent) {
-            (Op::Nil | Op::Snap { .. } | Op::Translate(_) | Op::Resize(_) | Op::Rotate { .. }, _) => {
-                return Standing::Within(parent.shape());
-            }
             (Op::Shape(label), _) => Some(label.as_str()),
             (_, Standing::Own(shape)) if is_relay => return Standing::Own(shape),
-            _ => None,
+            (op, _) if is_shape(op) || (*op == Op::Choose && self.asks[task.node.index()]) => None,
+            _ => return Standing::Within(parent.shape()),
         };
         let mut standing = Standing::Within(None);
         // What a footprint leaves nothing of is no shape.
@@ -230,6 +227,16 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
             }
         }
         Ok(())
+    }
+}
+
+/// Whether an operation makes its scope a shape by itself: what is filled is one, and so is what has faces. All that
+/// only divides or moves a scope leads to shapes and is none.
+fn is_shape(op: &Op) -> bool {
+    match op {
+        Op::Primitive { .. } => true,
+        Op::Carve { how, .. } => how.is_component(),
+        _ => false,
     }
 }
 
