@@ -42,9 +42,10 @@ pub struct Component {
 pub const UPRIGHT: [i32; 4] = [0, 2, 3, 1];
 
 /// All components of a kind, in order: those on top, those at the bottom, upright ones. Among these, walls
-/// stand front, back, left, right, and corners from the front left to the back right.
+/// stand front, back, left, right, those of each face from the front left on, then the steps likewise; corners stand
+/// from the front left to the back right.
 pub fn components(how: Carving, footprint: &Footprint, frame: Frame, depth: i32) -> Vec<Component> {
-    let walls = walls(footprint, frame);
+    let walls = walls(footprint, frame, depth);
     let strips = || walls.iter().map(|wall| strip(wall, depth)).collect();
     let corners = || corners(&walls, footprint, frame, depth);
     match how {
@@ -64,15 +65,21 @@ fn levelled(upright: &[Component]) -> Vec<Component> {
     at(Level::Top).chain(at(Level::Bottom)).collect()
 }
 
-fn walls(footprint: &Footprint, frame: Frame) -> Vec<Wall> {
+fn walls(footprint: &Footprint, frame: Frame, depth: i32) -> Vec<Wall> {
     let view = View::of(footprint.area(), frame);
     let mut walls = footprint.walls();
     walls.sort_by_key(|wall| {
         let [a, b] = [view.place(wall.cells.min), view.place(wall.cells.max - 1)];
         let nearest = a.min(b);
-        (rank(wall.turn, frame), nearest.y, nearest.x)
+        (is_step(wall, depth), rank(wall.turn, frame), nearest.y, nearest.x)
     });
     walls
+}
+
+/// Whether a wall is a step of a slanting or a round edge, and no longer than it is thick: it yields its only post to
+/// the wall around the corner.
+fn is_step(wall: &Wall, depth: i32) -> bool {
+    wall.len() <= depth.max(1) && wall.ends[0] != wall.ends[1]
 }
 
 /// The place of a face in their order.
