@@ -30,6 +30,11 @@ impl View {
         self.corner + right * place.x + away * place.y
     }
 
+    /// The steps to the right and away from the front.
+    pub fn directions(&self) -> [Spot; 2] {
+        self.directions
+    }
+
     /// The lengths to the right and away from the front.
     pub fn lengths(&self) -> Spot {
         self.lengths

@@ -39,11 +39,11 @@ impl Footprint {
     /// end count, and of the far end nothing that is one of `open`. Reaches `margin` cells further on all sides.
     pub fn wing_depths(&self, wall: &Wall, open: &[Wall], margin: i32) -> Depths {
         let wing = Wing::behind(wall, open, self);
-        let reach = wall.len() + margin + 1;
-        let around = wing.area(reach);
+        // Half the wall's length in front of it, nothing there is nearer than the sides.
+        let around = wing.area(wall.len() / 2 + margin + 2, margin + 1);
         let to_outside = distances(around, |spot| !wing.contains(spot));
         let to_inside = distances(around, |spot| wing.contains(spot));
-        Depths::from_fn(wing.area(margin), |spot| match wing.contains(spot) {
+        Depths::from_fn(wing.area(margin, margin), |spot| match wing.contains(spot) {
             true if wing.is_far_in_front(spot, margin) => FAR_OUT,
             true => to_outside[number(around, spot)],
             false => 1 - to_inside[number(around, spot)],
@@ -111,11 +111,14 @@ impl Wing<'_> {
         steps < -margin || steps >= length + margin
     }
 
-    /// The rectangle of the wing and `margin` cells on all its sides.
-    fn area(&self, margin: i32) -> Rect {
+    /// The rectangle of the wing, with more cells in front and behind, and at its sides.
+    fn area(&self, ahead: i32, aside: i32) -> Rect {
         let longest = self.columns.iter().map(|column| column.length).max().unwrap_or(1);
-        let back = self.wall.cells.moved(-self.wall.outward() * (longest - 1));
-        self.wall.cells.union(&back).grown(margin)
+        let (outward, right) = (self.wall.outward(), self.wall.right());
+        let back = self.wall.cells.moved(-outward * (longest - 1));
+        let wing = self.wall.cells.union(&back);
+        let more = outward.abs() * ahead + right.abs() * aside;
+        Rect::new(wing.min - more, wing.max + more)
     }
 }
 

@@ -85,6 +85,11 @@ impl Footprint {
         }
     }
 
+    pub fn with(&self, other: &Footprint) -> Footprint {
+        let around = self.area.union(&other.area);
+        Footprint::from_fn(around, |spot| self.contains(spot) || other.contains(spot))
+    }
+
     pub fn without(&self, other: &Footprint) -> Footprint {
         Footprint::from_fn(self.area, |spot| self.contains(spot) && !other.contains(spot))
     }
@@ -144,9 +149,9 @@ mod tests {
         #[test]
         fn cells_are_those_that_are_contained(footprint in footprints()) {
             let counted: Vec<Spot> = footprint.area().spots().filter(|&spot| footprint.contains(spot)).collect();
-            prop_assert_eq!(footprint.spots().collect::<Vec<_>>(), counted);
+            prop_assert_eq!(&footprint.spots().collect::<Vec<_>>(), &counted);
             prop_assert_eq!(footprint.spots().count(), footprint.len());
-            prop_assert_eq!(footprint.is_empty(), footprint.len() == 0);
+            prop_assert_eq!(footprint.is_empty(), counted.is_empty());
         }
 
         #[test]
@@ -162,6 +167,7 @@ mod tests {
             let part = footprint.clipped(cut);
             let rest = footprint.without(&part);
             prop_assert_eq!(part.len() + rest.len(), footprint.len());
+            prop_assert_eq!(&part.with(&rest), &footprint);
             prop_assert!(part.spots().all(|spot| cut.contains(spot) && footprint.contains(spot)));
             prop_assert!(rest.spots().all(|spot| !cut.contains(spot)));
         }

@@ -9,7 +9,7 @@ impl Footprint {
     /// The circle or ellipse that fills a rectangle: the one, among those of nearly its radius, whose outline
     /// bends most evenly, and of these the one nearest in area.
     pub fn round(area: Rect) -> Footprint {
-        let size = area.size();
+        let size = area.size().max(Spot::ZERO);
         let least = least_limit(size);
         let limit = if size.max_element() > LARGE { least.max(1.0) } else { best_limit(size, least) };
         Footprint::from_fn(area, |spot| off_centre(spot - area.min, size) <= limit)

@@ -83,6 +83,7 @@ impl Footprint {
 mod tests {
     use super::super::tests::{drawn, footprints};
     use super::*;
+    use crate::space::SIDES;
     use proptest::prelude::*;
 
     #[test]
@@ -111,7 +112,7 @@ mod tests {
             }
             let mut edge = Vec::new();
             for spot in footprint.spots() {
-                for way in [Spot::X, Spot::Y, -Spot::X, -Spot::Y] {
+                for way in SIDES {
                     if !footprint.contains(spot + way) {
                         edge.push((spot.to_array(), way.to_array()));
                     }
