@@ -45,8 +45,8 @@ impl Names<'_> {
     }
 }
 
-/// The primitives that vox knows by name, beside blocks: solids, roof pieces, doors and windows.
-pub const PRIMITIVES: [&str; 12] = [
+/// The primitives that vox knows by name, beside blocks: solids, roofs and their pieces, doors and windows.
+pub const PRIMITIVES: [&str; 23] = [
     "rect",
     "cuboid",
     "gable",
@@ -57,6 +57,17 @@ pub const PRIMITIVES: [&str; 12] = [
     "trough",
     "hip",
     "pyramid",
+    "gambrel",
+    "mansard",
+    "crossgable",
+    "ridge",
+    "shed",
+    "cone",
+    "dome",
+    "cylinder",
+    "sphere",
+    "arch",
+    "spiral_stair",
     "door",
     "window",
 ];

@@ -4,8 +4,8 @@ use super::Library;
 use super::derive::Placement;
 use super::error::Kind;
 use super::place::Place;
-use super::ramp::Slope;
-use super::solid;
+use super::settings;
+use super::{roof, solid};
 use crate::block::{self, BlockState, Facing, Family, Shape};
 use crate::grammar::is_primitive;
 use crate::graph::Thing;
@@ -22,8 +22,8 @@ enum Brush<'l> {
     Mix(Vec<(f64, BlockState)>),
     /// Blocks that pass into one another along an axis of the scope.
     Gradient(Axis, Vec<BlockState>),
-    /// A solid with slopes.
-    Solid(Slope, Box<Family>),
+    Roof(roof::Kind, Box<Family>),
+    Solid(solid::Kind, Box<Family>),
     /// Doors side by side.
     Door(BlockState),
     /// A schematic file.
@@ -47,10 +47,14 @@ impl<'l, 'g> Brushes<'l, 'g> {
         Brushes { library, brushes: Vec::new(), known, fills, place: Place::start(seed).named("mix") }
     }
 
-    /// Puts a primitive into the grid. Its scope lies inside.
+    /// Puts a primitive into the grid. Its scope lies inside; what reaches out of it is cut off at the grid's ends.
     pub fn place(&mut self, grid: &mut Grid, placement: Placement<'g>) -> Result<(), Kind> {
         let number = self.number(placement.name, placement.material)?;
         let scope = &placement.scope;
+        let footprint = placement.footprint.as_deref();
+        if !matches!(self.brushes[number], Brush::Roof(..) | Brush::Solid(..)) {
+            settings::none(&placement.options)?;
+        }
         match &self.brushes[number] {
             Brush::Fill(state) => {
                 let turn = scope.frame.turn;
@@ -82,7 +86,14 @@ impl<'l, 'g> Brushes<'l, 'g> {
                 }
                 Ok(())
             }
-            Brush::Solid(slope, family) => build_solid(grid, *slope, family, &placement),
+            Brush::Roof(kind, family) => {
+                let options = settings::settings(&placement.options)?;
+                put_all(grid, |put| roof::build(*kind, family, &options, (scope, footprint), put))
+            }
+            Brush::Solid(kind, family) => {
+                let options = settings::settings(&placement.options)?;
+                put_all(grid, |put| solid::build(*kind, family, &options, (scope, footprint), put))
+            }
             Brush::Door(door) => build_door(grid, door, &placement),
             Brush::Stamp(file) => stamp(grid, file, &placement),
         }
@@ -133,24 +144,52 @@ fn intern(grid: &mut Grid, state: &BlockState) -> Result<u16, Kind> {
 /// A primitive of the language. Without a material it is made of something plain.
 fn shape_brush<'l>(name: &str, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let slope = match base {
-        "gable" | "roof" | "triangle" => Slope::Gable,
-        "right_angle_triangle" => Slope::RightAngleTriangle,
-        "corner" => Slope::Corner,
-        "trough" => Slope::Trough,
-        "hip" => Slope::Hip,
-        "pyramid" => Slope::Pyramid,
+    let family = |fallback| family_of(material, fallback).map(Box::new);
+    if let Some(kind) = roof_named(base) {
+        return Ok(Brush::Roof(kind, family("dark_oak")?));
+    }
+    if let Some(kind) = solid_named(base) {
+        return Ok(Brush::Solid(kind, family("stone_bricks")?));
+    }
+    let fallback = match base {
         "door" => return door_of(material).map(Brush::Door),
-        plain => {
-            let fallback = if plain == "window" { "glass" } else { "stone_bricks" };
-            let fallback = Thing::Name(fallback.to_owned());
-            return match material.unwrap_or(&fallback) {
-                blended @ (Thing::Mix(_) | Thing::Gradient(..)) => blend(blended),
-                plain => block_of(plain).map(Brush::Fill),
-            };
-        }
+        "window" => "glass",
+        _ => "stone_bricks",
     };
-    family_of(material, "dark_oak").map(|family| Brush::Solid(slope, Box::new(family)))
+    let fallback = Thing::Name(fallback.to_owned());
+    match material.unwrap_or(&fallback) {
+        blended @ (Thing::Mix(_) | Thing::Gradient(..)) => blend(blended),
+        plain => block_of(plain).map(Brush::Fill),
+    }
+}
+
+fn roof_named(name: &str) -> Option<roof::Kind> {
+    Some(match name {
+        "gable" | "roof" | "triangle" => roof::Kind::Gable,
+        "right_angle_triangle" => roof::Kind::RightAngleTriangle,
+        "corner" => roof::Kind::Corner,
+        "trough" => roof::Kind::Trough,
+        "hip" => roof::Kind::Hip,
+        "pyramid" => roof::Kind::Pyramid,
+        "gambrel" => roof::Kind::Gambrel,
+        "mansard" => roof::Kind::Mansard,
+        "crossgable" => roof::Kind::CrossGable,
+        "ridge" => roof::Kind::Ridge,
+        "shed" => roof::Kind::Shed,
+        "cone" => roof::Kind::Cone,
+        "dome" => roof::Kind::Dome,
+        _ => return None,
+    })
+}
+
+fn solid_named(name: &str) -> Option<solid::Kind> {
+    Some(match name {
+        "cylinder" => solid::Kind::Cylinder,
+        "sphere" => solid::Kind::Sphere,
+        "arch" => solid::Kind::Arch,
+        "spiral_stair" => solid::Kind::SpiralStair,
+        _ => return None,
+    })
 }
 
 /// A brush of several blocks.
@@ -190,7 +229,7 @@ fn interned<'b>(
     blocks.map(|state| intern(grid, &state.turned(scope.frame.turn))).collect()
 }
 
-fn block_of(thing: &Thing) -> Result<BlockState, Kind> {
+pub(super) fn block_of(thing: &Thing) -> Result<BlockState, Kind> {
     thing.block().ok_or_else(|| match thing {
         Thing::Name(name) | Thing::Block(name) => Kind::NoThing(name.clone()),
         Thing::File(file) => Kind::NoFile(file.clone()),
@@ -216,18 +255,12 @@ fn door_of(material: Option<&Thing>) -> Result<BlockState, Kind> {
     family.door.ok_or_else(|| Kind::NoThing(format!("{}_door", material.map_or("oak", Thing::text))))
 }
 
-fn build_solid(
-    grid: &mut Grid,
-    slope: Slope,
-    family: &Family,
-    placement: &Placement<'_>,
-) -> Result<(), Kind> {
+/// Puts what `build` makes into the grid, as far as it lies inside.
+fn put_all(grid: &mut Grid, build: impl FnOnce(&mut dyn FnMut(Cell, &BlockState))) -> Result<(), Kind> {
     let mut ids: FxHashMap<BlockState, u16> = FxHashMap::default();
     let mut failed = None;
-    solid::build(slope, family, &placement.scope, |cell, state| {
-        if !is_there(placement, cell) {
-            return;
-        }
+    let bounds = grid.bounds();
+    let mut put = |cell: Cell, state: &BlockState| {
         let id = match ids.get(state) {
             Some(&id) => Ok(id),
             None => intern(grid, state).inspect(|&id| {
@@ -235,10 +268,12 @@ fn build_solid(
             }),
         };
         match id {
-            Ok(id) => grid.set(cell, id),
+            Ok(id) if bounds.contains(cell) => grid.set(cell, id),
+            Ok(_) => {}
             Err(kind) => failed = Some(kind),
         }
-    });
+    };
+    build(&mut put);
     failed.map_or(Ok(()), Err)
 }
 

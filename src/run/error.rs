@@ -1,3 +1,4 @@
+use super::settings;
 use crate::grammar::ast::Carving;
 use crate::graph::{NodeIndex, OpGraph, Origin};
 use crate::space::{Cell, Misfit};
@@ -22,6 +23,9 @@ pub enum Kind {
     NotANumber,
     Step { what: &'static str, value: f64 },
     Width { how: Carving, width: f64 },
+    NoOption(String),
+    OptionOfNothing(String),
+    Option { name: String, expected: &'static str, found: String },
     Angle(f64),
     NotVertical { up: String },
     Rhythm,
@@ -70,6 +74,10 @@ impl RunError {
             Kind::Step { .. } => "a size is more than zero: `max(1, ...)` keeps it so".to_owned(),
             Kind::Width { .. } => {
                 "`max(0, ...)` keeps it so; what is too wide for the scope fills it".to_owned()
+            }
+            Kind::NoOption(_) => format!("the options are {}", settings::NAMES.join(", ")),
+            Kind::OptionOfNothing(_) => {
+                "roofs and solids have options, as in `I(gable, oak, pitch = 1)`".to_owned()
             }
             Kind::NotANumber => "keep the divisor from zero: `max(1, ...)`, or a condition".to_owned(),
             Kind::Angle(_) => "write pi/2, pi or 3*pi/2 (or 90, 180, 270 degrees)".to_owned(),
@@ -121,6 +129,13 @@ impl fmt::Display for Kind {
                 "`{})` takes lengths of zero blocks or more, and one of them is {width}",
                 how.head()
             ),
+            Kind::NoOption(name) => write!(f, "no primitive has an option `{name}`"),
+            Kind::OptionOfNothing(name) => {
+                write!(f, "this is no roof or solid, so it has no option `{name}`")
+            }
+            Kind::Option { name, expected, found } => {
+                write!(f, "the option `{name}` takes {expected}, not {found}")
+            }
             Kind::Angle(angle) => write!(f, "{angle} is not a multiple of a quarter turn"),
             Kind::NotVertical { up } => write!(f, "blocks only turn about the vertical, which is {up} here"),
             Kind::Rhythm => write!(

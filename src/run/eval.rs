@@ -20,7 +20,7 @@ pub enum Value<'g> {
 }
 
 impl Value<'_> {
-    fn describe(self) -> String {
+    pub fn describe(self) -> String {
         match self {
             Value::Number(number) => format!("the number {number}"),
             Value::Axis(axis) => format!("the axis {axis}"),

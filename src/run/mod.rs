@@ -10,9 +10,10 @@ mod error;
 mod eval;
 mod known;
 mod place;
-mod ramp;
 mod rhythm;
+mod roof;
 mod rounds;
+mod settings;
 mod solid;
 mod start;
 
