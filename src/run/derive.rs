@@ -139,8 +139,8 @@ impl<'g> Task<'g> {
     }
 }
 
-/// What steps share. A step leaves the children of its operation on the stack, and what it places beside it: whoever
-/// drives the derivation takes both from there.
+/// What steps share. A step leaves the children of its operation on the stack. What it places goes to the sink, or in
+/// rounds beside the stack: there it has to wait for what comes before it in the text.
 pub struct Derivation<'a, 's, 'g> {
     pub graph: &'g OpGraph,
     pub world: World<'g>,
@@ -164,11 +164,7 @@ impl<'g> Derivation<'_, '_, 'g> {
         let graph = self.graph;
         self.stack.push(root);
         while let Some(task) = self.stack.pop() {
-            let fail = |kind| RunError::at(graph, task.node, kind);
-            self.step(&task).map_err(fail)?;
-            if let Some(placement) = self.placed.take() {
-                self.hand_on(task.node, placement).map_err(fail)?;
-            }
+            self.step(&task).map_err(|kind| RunError::at(graph, task.node, kind))?;
         }
         Ok(())
     }
@@ -314,8 +310,14 @@ impl<'g> Derivation<'_, '_, 'g> {
         let scope = self.inside(task)?;
         let body = Body::within(scope, task.around.footprint.as_ref()).filter(|body| !body.scope.is_empty());
         let Some(Body { scope, footprint }) = body else { return Ok(()) };
-        self.placed = Some(Placement { name, material, options: values, scope, footprint });
-        Ok(())
+        let placement = Placement { name, material, options: values, scope, footprint };
+        match self.known {
+            None => self.hand_on(task.node, placement),
+            Some(_) => {
+                self.placed = Some(placement);
+                Ok(())
+            }
+        }
     }
 
     /// Hands a primitive on. A door without room is a warning: the rest of the building still stands.
