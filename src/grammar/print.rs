@@ -296,10 +296,10 @@ fn layout(successor: &Successor, indent: &str, column: usize) -> String {
 
 /// One of several operations that share a scope, on lines of its own.
 fn bracketed(op: &Successor, indent: &str) -> String {
-    let text = layout(op, indent, indent.len());
+    let flat = op.to_string();
     match op.op {
-        Op::All(_) if !text.starts_with('[') => format!("[ {text} ]"),
-        _ => text,
+        Op::All(_) if indent.len() + flat.len() <= WIDTH => format!("[ {flat} ]"),
+        _ => layout(op, indent, indent.len()),
     }
 }
 
