@@ -66,7 +66,10 @@ impl<'l, 'g> Brushes<'l, 'g> {
                         id
                     }
                 };
-                boxes(&placement).for_each(|bounds| grid.fill(bounds, id));
+                match footprint {
+                    None => grid.fill(scope.bounds, id),
+                    Some(_) => boxes(&placement).for_each(|bounds| grid.fill(bounds, id)),
+                }
                 Ok(())
             }
             Brush::Mix(parts) => {
