@@ -50,12 +50,12 @@ fn print_findings(source: &Source) -> Result<bool, Failure> {
     for finding in &findings {
         output::json(&finding_json(source, finding))?;
     }
-    Ok(findings.iter().any(|finding| finding.severity == Severity::Error))
+    Ok(findings.iter().any(Diagnostic::is_error))
 }
 
 fn finding_json(source: &Source, finding: &Diagnostic) -> serde_json::Value {
     let (line, column) = report::line_column(&source.text, finding.span);
-    let severity = match finding.severity {
+    let severity = match finding.severity() {
         Severity::Error => "error",
         Severity::Warning => "warning",
     };
@@ -64,6 +64,7 @@ fn finding_json(source: &Source, finding: &Diagnostic) -> serde_json::Value {
         "line": line,
         "column": column,
         "severity": severity,
+        "code": finding.code.id(),
         "message": finding.message,
         "hint": finding.hint,
     })

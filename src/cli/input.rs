@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::part;
 use super::report::{self, Source};
-use crate::grammar::{self, Checked, Severity};
+use crate::grammar::{self, Checked};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
 use crate::io::{self, Content, Decoded, Limits, Options, ReadError, Scale};
@@ -202,7 +202,7 @@ pub fn checked(source: &Source) -> Result<Checked, Failure> {
 fn without_errors(source: &Source) -> Result<Checked, Failure> {
     grammar::read(&source.text).map_err(|findings| {
         findings.iter().for_each(|finding| report::diagnostic(source, finding));
-        let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
+        let errors = findings.iter().filter(|finding| finding.is_error()).count();
         let noun = if errors == 1 { "error" } else { "errors" };
         Failure::of_file(&source.name, format!("{errors} {noun}"))
     })
@@ -231,13 +231,12 @@ pub fn library(graph: &OpGraph, grammar: &Path) -> Result<Library, Failure> {
 /// Tells of an error of a run at its place in the text.
 pub fn run_failure(source: &Source, error: &RunError) -> Failure {
     let Some(origin) = &error.origin else {
-        let failure = Failure::of_file(&source.name, error);
-        return match error.hint() {
-            Some(hint) => failure.hint(hint),
-            None => failure,
-        };
+        let text = format!("{}: {error}", source.name);
+        report::coded_error(error.kind.code(), &text, error.hint().as_deref());
+        return Failure::Told;
     };
-    let finding = grammar::Diagnostic::error(origin.span, error.to_string()).label("this operation");
+    let finding =
+        grammar::Diagnostic::new(error.kind.code(), origin.span, error.to_string()).label("this operation");
     report::diagnostic(source, &finding.maybe_hint(error.hint()));
     Failure::Told
 }

@@ -7,6 +7,7 @@ mod convert;
 mod crop;
 mod diff;
 mod encoding;
+mod explain;
 mod failure;
 mod fix;
 mod graph;
@@ -55,6 +56,7 @@ enum Command {
     Infer(infer::Args),
     Graph(graph::Args),
     Check(check::Args),
+    Explain(explain::Args),
     Info(info::Args),
     Render(render::Args),
     Convert(convert::Args),
@@ -79,6 +81,7 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Infer(args) => infer::execute(&args),
         Command::Graph(args) => graph::execute(&args),
         Command::Check(args) => check::execute(&args),
+        Command::Explain(args) => explain::execute(&args),
         Command::Info(args) => info::execute(&args),
         Command::Render(args) => render::execute(&args),
         Command::Convert(args) => convert::execute(&args),

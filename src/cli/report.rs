@@ -1,6 +1,6 @@
 //! Messages to the user, on standard error.
 
-use crate::grammar::{Diagnostic, Severity, Span};
+use crate::grammar::{Code, Diagnostic, Severity, Span};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
@@ -11,11 +11,16 @@ pub struct Source {
 }
 
 pub fn error(text: &str, hint: Option<&str>) {
-    message(Level::ERROR, text, hint);
+    message(Level::ERROR, None, text, hint);
+}
+
+/// An error of a kind that `vox explain` tells more of, without a place in a text.
+pub fn coded_error(code: Code, text: &str, hint: Option<&str>) {
+    message(Level::ERROR, Some(code), text, hint);
 }
 
 pub fn warning(text: &str) {
-    message(Level::WARNING, text, None);
+    message(Level::WARNING, None, text, None);
 }
 
 /// A line on what was done.
@@ -23,8 +28,12 @@ pub fn note(text: &str) {
     anstream::eprintln!("{text}");
 }
 
-fn message(level: Level<'_>, text: &str, hint: Option<&str>) {
-    let mut group = Group::with_title(level.primary_title(text));
+fn message(level: Level<'_>, code: Option<Code>, text: &str, hint: Option<&str>) {
+    let title = level.primary_title(text);
+    let mut group = Group::with_title(match code {
+        Some(code) => title.id(code.id()),
+        None => title,
+    });
     if let Some(hint) = hint {
         group = group.element(Level::HELP.message(hint));
     }
@@ -38,14 +47,15 @@ pub fn diagnostic(source: &Source, diagnostic: &Diagnostic) {
 
 /// The text of a finding, with colours.
 fn rendered(source: &Source, diagnostic: &Diagnostic) -> String {
-    let level = match diagnostic.severity {
+    let level = match diagnostic.severity() {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
     let span = shown(&source.text, diagnostic.span);
     let place = AnnotationKind::Primary.span(span).label(diagnostic.label.as_str());
     let snippet = Snippet::source(source.text.as_str()).path(source.name.as_str()).annotation(place);
-    let mut group = level.primary_title(diagnostic.message.as_str()).element(snippet);
+    let mut group =
+        level.primary_title(diagnostic.message.as_str()).id(diagnostic.code.id()).element(snippet);
     if let Some(hint) = &diagnostic.hint {
         group = group.element(Level::HELP.message(hint.as_str()));
     }

@@ -1,3 +1,4 @@
+use super::Code;
 use std::ops::Range;
 
 /// A place in the text of a grammar, in bytes.
@@ -42,7 +43,7 @@ pub enum Severity {
 /// Something to tell the writer of a grammar: what is wrong, where, and what to write instead.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Diagnostic {
-    pub severity: Severity,
+    pub code: Code,
     pub message: String,
     pub span: Span,
     /// A few words to stand under the place.
@@ -51,13 +52,16 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    pub fn error(span: Span, message: impl Into<String>) -> Diagnostic {
-        let (message, label) = (message.into(), String::new());
-        Diagnostic { severity: Severity::Error, message, span, label, hint: None }
+    pub fn new(code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
+        Diagnostic { code, message: message.into(), span, label: String::new(), hint: None }
     }
 
-    pub fn warning(span: Span, message: impl Into<String>) -> Diagnostic {
-        Diagnostic { severity: Severity::Warning, ..Diagnostic::error(span, message) }
+    pub fn severity(&self) -> Severity {
+        self.code.severity()
+    }
+
+    pub fn is_error(&self) -> bool {
+        self.severity() == Severity::Error
     }
 
     pub fn label(self, label: impl Into<String>) -> Diagnostic {

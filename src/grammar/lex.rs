@@ -1,4 +1,4 @@
-use super::{Diagnostic, Span};
+use super::{Code, Diagnostic, Span};
 
 /// What a piece of text is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -104,8 +104,8 @@ pub fn lex(text: &str) -> Lexed {
                 (false, _) => Place::Inner,
             };
             is_line_empty = false;
-            let (kind, length) = token(rest).unwrap_or_else(|(length, message)| {
-                lexed.errors.push(Diagnostic::error(Span::new(at, at + length), message).label("here"));
+            let (kind, length) = token(rest).unwrap_or_else(|(length, code, message)| {
+                lexed.errors.push(Diagnostic::new(code, Span::new(at, at + length), message).label("here"));
                 (Kind::Unknown, length)
             });
             lexed.tokens.push(Token { kind, span: Span::new(at, at + length), place });
@@ -117,6 +117,9 @@ pub fn lex(text: &str) -> Lexed {
     lexed
 }
 
+/// What is no token: how long it is, and what to say of it.
+type Refused = (usize, Code, String);
+
 fn comment(text: &str, at: usize) -> Comment {
     let rest = &text[at..];
     let line = rest.lines().next().unwrap_or("");
@@ -125,7 +128,7 @@ fn comment(text: &str, at: usize) -> Comment {
     Comment { text, span: Span::new(at, at + line.len()) }
 }
 
-fn token(rest: &str) -> Result<(Kind, usize), (usize, String)> {
+fn token(rest: &str) -> Result<(Kind, usize), Refused> {
     let first = rest.chars().next().unwrap_or(' ');
     if let Some(arrow) = ARROWS.iter().find(|arrow| rest.starts_with(**arrow)) {
         return Ok((Kind::Arrow, arrow.len()));
@@ -142,14 +145,20 @@ fn token(rest: &str) -> Result<(Kind, usize), (usize, String)> {
     }
     match SYMBOLS.iter().find(|(spelling, _)| rest.starts_with(spelling)) {
         Some((spelling, symbol)) => Ok((Kind::Symbol(symbol), spelling.len())),
-        None => Err((first.len_utf8(), format!("the character `{first}` has no meaning in a grammar"))),
+        None => {
+            let message = format!("the character `{first}` has no meaning in a grammar");
+            Err((first.len_utf8(), Code::UnknownCharacter, message))
+        }
     }
 }
 
-fn quoted(rest: &str) -> Result<(Kind, usize), (usize, String)> {
+fn quoted(rest: &str) -> Result<(Kind, usize), Refused> {
     match rest[1..].find(['"', '\n']) {
         Some(end) if rest[1 + end..].starts_with('"') => Ok((Kind::Text, end + 2)),
-        end => Err((1 + end.unwrap_or(rest.len() - 1), "this text is not closed by `\"`".to_owned())),
+        end => {
+            let length = 1 + end.unwrap_or(rest.len() - 1);
+            Err((length, Code::OpenText, "this text is not closed by `\"`".to_owned()))
+        }
     }
 }
 

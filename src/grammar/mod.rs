@@ -3,6 +3,7 @@
 
 pub mod ast;
 mod check;
+mod code;
 mod diagnostic;
 mod lex;
 mod names;
@@ -11,6 +12,7 @@ mod print;
 
 pub use ast::Grammar;
 pub use check::{Checked, check, is_reserved, read};
+pub use code::{Code, Explanation};
 pub use diagnostic::{Diagnostic, Severity, Span};
 pub use names::{Name, Names, PRIMITIVES, is_primitive};
 pub use parse::parse;

@@ -1,5 +1,6 @@
 use super::settings;
 use crate::grammar::ast::Carving;
+use crate::grammar::Code;
 use crate::graph::{NodeIndex, OpGraph, Origin};
 use crate::space::{Cell, Misfit};
 use std::fmt;
@@ -38,6 +39,36 @@ pub enum Kind {
     NoFile(String),
     NoRoomForDoor,
     PaletteFull,
+}
+
+impl Kind {
+    pub fn code(&self) -> Code {
+        match self {
+            Kind::NoSize => Code::NoStartSize,
+            Kind::Size { .. } => Code::BadStartSize,
+            Kind::Misfit { misfit: Misfit::Overrun { .. }, .. } => Code::Overrun,
+            Kind::Misfit { misfit: Misfit::Underrun { .. }, .. } => Code::Underrun,
+            Kind::Misfit { misfit: Misfit::Negative { .. }, .. } => Code::NegativeSize,
+            Kind::NoRule { .. } => Code::NoRuleApplies,
+            Kind::Weight(_) => Code::BadWeight,
+            Kind::Type { .. } => Code::WrongType,
+            Kind::NotANumber => Code::NoValue,
+            Kind::Step { .. } | Kind::Width { .. } => Code::BadStep,
+            Kind::NoOption(_) | Kind::OptionOfNothing(_) => Code::UnknownName,
+            Kind::Option { .. } => Code::WrongType,
+            Kind::Angle(_) => Code::BadAngle,
+            Kind::NotVertical { .. } => Code::FlatTurn,
+            Kind::Rhythm => Code::ThinRhythm,
+            Kind::OutsidePlot => Code::LeavesPlot,
+            Kind::TooDeep(_) => Code::CallsTooDeep,
+            Kind::TooManySteps(_) | Kind::TooMany(_) => Code::TooManySteps,
+            Kind::TooWide(_) => Code::TooManyScopes,
+            Kind::NoThing(_) => Code::UnknownBlock,
+            Kind::NoFile(_) => Code::NoFile,
+            Kind::NoRoomForDoor => Code::NoRoomForDoor,
+            Kind::PaletteFull => Code::PaletteFull,
+        }
+    }
 }
 
 impl From<Box<Kind>> for Kind {

@@ -1,6 +1,7 @@
 //! Constants, attributes, styles and start sizes.
 
 use super::{Checker, Expected, is_reserved};
+use crate::grammar::Code;
 use crate::grammar::ast::*;
 use crate::grammar::names::{Name, Names, closest};
 
@@ -11,7 +12,8 @@ impl Checker<'_> {
             let earlier = &self.grammar.constants[..at];
             if earlier.iter().any(|other| other.name == constant.name) {
                 let message = format!("the constant `{}` is defined twice", constant.name.name);
-                self.error(constant.name.span, message, "again here", Some("keep one of the two".to_owned()));
+                let hint = "keep one of the two".to_owned();
+                self.tell(Code::ConstantTwice, constant.name.span, message, "again here", hint);
             }
             self.constant_value(&constant.value, at);
             for bound in constant.attribute.iter().flat_map(|attribute| attribute.range.iter().flatten()) {
@@ -25,7 +27,8 @@ impl Checker<'_> {
         for (at, style) in self.grammar.styles.iter().enumerate() {
             if self.grammar.styles[..at].iter().any(|other| other.name == style.name) {
                 let message = format!("the style `{}` is defined twice", style.name.name);
-                self.error(style.name.span, message, "again here", Some("keep one of the two".to_owned()));
+                let hint = "keep one of the two".to_owned();
+                self.tell(Code::StyleTwice, style.name.span, message, "again here", hint);
             }
             style.values.iter().for_each(|(name, value)| self.style_value(name, value));
         }
@@ -43,12 +46,8 @@ impl Checker<'_> {
                     .map_or(format!("define what it is without a style: `{} = ...`", name.name), |near| {
                         format!("did you mean `{near}`?")
                     });
-                self.error(
-                    name.span,
-                    format!("there is no constant `{}`", name.name),
-                    "not defined",
-                    Some(hint),
-                );
+                let message = format!("there is no constant `{}`", name.name);
+                self.tell(Code::UnknownConstant, name.span, message, "not defined", hint);
             }
         }
     }
@@ -60,15 +59,17 @@ impl Checker<'_> {
             ExprKind::ScopeSize(_)
             | ExprKind::Share(_)
             | ExprKind::Occlusion { .. }
-            | ExprKind::Visible(_) => self.error(
+            | ExprKind::Visible(_) => self.tell(
+                Code::ConstantAsksScope,
                 expr.span,
                 "a constant is drawn before there is a scope",
                 "has no value here",
-                Some("use the scope's length inside a rule".to_owned()),
+                "write it inside a rule, where there is one".to_owned(),
             ),
             ExprKind::Name(name) if matches!(names.resolve(name), Name::Constant(other) if other >= at) => {
                 let hint = format!("move the line of `{name}` above this one");
-                self.error(expr.span, format!("`{name}` has no value yet"), "defined below", Some(hint));
+                let message = format!("`{name}` has no value yet");
+                self.tell(Code::ConstantTooEarly, expr.span, message, "defined below", hint);
             }
             _ => {}
         });
@@ -84,7 +85,13 @@ impl Checker<'_> {
     pub(super) fn defined_name(&mut self, ident: &Ident) {
         if is_reserved(&ident.name) {
             let message = format!("`{}` is a word of the language", ident.name);
-            self.error(ident.span, message, "cannot be defined", Some("choose another name".to_owned()));
+            self.tell(
+                Code::Reserved,
+                ident.span,
+                message,
+                "cannot be defined",
+                "choose another name".to_owned(),
+            );
         }
     }
 }

@@ -4,7 +4,7 @@ use super::{Checker, Expected};
 use crate::block::{self, BlockState};
 use crate::grammar::ast::*;
 use crate::grammar::names::{Name, Names, closest};
-use crate::grammar::{Diagnostic, PRIMITIVES, Span, is_primitive};
+use crate::grammar::{Code, PRIMITIVES, Span, is_primitive};
 
 impl Checker<'_> {
     pub(super) fn expr(&mut self, expr: &Expr, params: &[Ident], expected: Expected) {
@@ -85,7 +85,8 @@ impl Checker<'_> {
             let hint = near.map_or("ask for a label that has a rule".to_owned(), |near| {
                 format!("did you mean `{near}`?")
             });
-            self.error(span, format!("there is no rule for `{label}`"), "not defined", Some(hint));
+            let message = format!("there is no rule for `{label}`");
+            self.tell(Code::UnknownLabel, span, message, "not defined", hint);
         }
     }
 
@@ -102,7 +103,8 @@ impl Checker<'_> {
                 Expected::Axis => "name the axis, as in `split(x){ ... }`",
                 Expected::Thing | Expected::Any => "name what is placed, as in `I(stone)`",
             };
-            self.error(span, format!("expected {wanted}, found {found}"), "here", Some(hint.to_owned()));
+            let message = format!("expected {wanted}, found {found}");
+            self.tell(Code::WrongType, span, message, "here", hint.to_owned());
         }
     }
 
@@ -126,20 +128,25 @@ impl Checker<'_> {
                     None => format!("define it: `{name} = 3`"),
                 };
                 let message = format!("`{name}` is no parameter and no constant");
-                self.error(span, message, "not defined", Some(hint));
+                self.tell(Code::UnknownName, span, message, "not defined", hint);
             }
             Name::Thing if is_thing(name) => {}
             Name::Thing => {
                 let hint = thing_hint(name);
                 let message = format!("there is no block or primitive `{name}`");
-                self.error(span, message, "not known", Some(hint));
+                self.tell(Code::UnknownBlock, span, message, "not known", hint);
             }
         }
     }
 
     /// Whether a block state is the value of a name with other properties: `wall[facing=north]`.
-    fn is_changed_name(&self, text: &str, params: &[Ident]) -> bool {
+    pub(super) fn is_changed_name(&self, text: &str, params: &[Ident]) -> bool {
         let name = text.split('[').next().unwrap_or(text);
+        self.is_defined(name, params)
+    }
+
+    /// Whether a name is that of a parameter or a constant.
+    pub(super) fn is_defined(&self, name: &str, params: &[Ident]) -> bool {
         let resolved = Names { params, constants: &self.grammar.constants }.resolve(name);
         matches!(resolved, Name::Param(_) | Name::Constant(_))
     }
@@ -148,16 +155,19 @@ impl Checker<'_> {
         self.is_of(Expected::Thing, expected, span, "a block");
         let state = match text.parse::<BlockState>() {
             Ok(state) => state,
-            Err(error) => return self.error(span, error.to_string(), "here", None),
+            Err(error) => {
+                let hint = "a block state reads `oak_log[axis=x]`".to_owned();
+                return self.tell(Code::BadBlockState, span, error.to_string(), "here", hint);
+            }
         };
         // Files of other versions and of mods hold blocks and properties that vox does not know.
         let is_bare = !text.split('[').next().unwrap_or(text).contains(':');
         if is_bare && block::known(state.name()).is_none() {
             let message = format!("there is no block `{}`", state.short_name());
-            self.error(span, message, "not known", Some(thing_hint(state.short_name())));
+            self.tell(Code::UnknownBlock, span, message, "not known", thing_hint(state.short_name()));
         } else if let Err(error) = block::check(&state) {
-            let hint = "it is written as it stands, and the game may drop it";
-            self.found.push(Diagnostic::warning(span, error.to_string()).label("not known").hint(hint));
+            let hint = "it is written as it stands, and the game may drop it".to_owned();
+            self.tell(Code::UnknownProperty, span, error.to_string(), "not known", hint);
         }
     }
 }

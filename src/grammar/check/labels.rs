@@ -1,7 +1,7 @@
 //! How labels lead to one another.
 
 use super::Checker;
-use crate::grammar::Diagnostic;
+use crate::grammar::Code;
 use crate::grammar::ast::*;
 use std::collections::BTreeSet;
 
@@ -26,12 +26,12 @@ impl<'g> Checker<'g> {
         for label in labels {
             let message = format!("`{label}` only leads back to itself");
             let hint = "give one of the rules in the ring an operation".to_owned();
-            self.error(self.rules[label][0].label.span, message, "never ends", Some(hint));
+            self.tell(Code::NamesInARing, self.rules[label][0].label.span, message, "never ends", hint);
         }
     }
 
     /// The label that a label is only another name of.
-    fn alias(&self, label: &str) -> Option<&'g str> {
+    pub(super) fn alias(&self, label: &str) -> Option<&'g str> {
         match self.rules.get(label)?.as_slice() {
             [Rule { successor: Successor { op: Op::Call { label, args }, .. }, .. }] if args.is_empty() => {
                 Some(&label.name)
@@ -44,9 +44,9 @@ impl<'g> Checker<'g> {
         let Some(first) = self.grammar.rules.first() else { return };
         if !first.params.is_empty() {
             let message = format!("the first rule, `{}`, takes parameters", first.label.name);
-            let hint = "put a rule without parameters first, or start from one with `--start`";
+            let hint = "put a rule without parameters first, or start from one with `--start`".to_owned();
             let label = "nothing can start from it";
-            self.found.push(Diagnostic::warning(first.label.span, message).label(label).hint(hint));
+            self.tell(Code::StartTakesParameters, first.label.span, message, label, hint);
         }
         let mut reached = BTreeSet::from([first.label.name.as_str()]);
         let mut open = vec![first.label.name.as_str()];
@@ -64,8 +64,8 @@ impl<'g> Checker<'g> {
             let label = rule.label.name.as_str();
             if !reached.contains(label) && told.insert(label) {
                 let message = format!("`{label}` cannot be reached from `{}`", first.label.name);
-                let hint = "call it, delete it, or start from it with `--start`";
-                self.found.push(Diagnostic::warning(rule.label.span, message).label("never runs").hint(hint));
+                let hint = "call it, delete it, or start from it with `--start`".to_owned();
+                self.tell(Code::Unreachable, rule.label.span, message, "never runs", hint);
             }
         }
     }

@@ -7,7 +7,7 @@ mod rules;
 
 use super::ast::*;
 use super::parse::{Parsed, parse_items};
-use super::{Diagnostic, Severity, Span};
+use super::{Code, Diagnostic, Span};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A grammar without errors: every label has rules, every name a meaning, every call the right arity.
@@ -48,7 +48,7 @@ pub fn read(text: &str) -> Result<Checked, Vec<Diagnostic>> {
         return check(grammar);
     }
     let found = findings(&grammar, &broken);
-    errors.extend(found.into_iter().filter(|finding| finding.severity == Severity::Error));
+    errors.extend(found.into_iter().filter(Diagnostic::is_error));
     errors.sort_by_key(|finding| finding.span.start);
     Err(errors)
 }
@@ -56,7 +56,7 @@ pub fn read(text: &str) -> Result<Checked, Vec<Diagnostic>> {
 /// Checks a grammar. Every error is reported, with the warnings, in the order of their places.
 pub fn check(grammar: Grammar) -> Result<Checked, Vec<Diagnostic>> {
     let found = findings(&grammar, &BTreeSet::new());
-    match found.iter().any(|finding| finding.severity == Severity::Error) {
+    match found.iter().any(Diagnostic::is_error) {
         true => Err(found),
         false => Ok(Checked { rules: places(&grammar), grammar, warnings: found }),
     }
@@ -158,8 +158,15 @@ struct Checker<'g> {
 }
 
 impl<'g> Checker<'g> {
-    fn error(&mut self, span: Span, message: impl Into<String>, label: &str, hint: Option<String>) {
-        self.found.push(Diagnostic::error(span, message).label(label).maybe_hint(hint));
+    fn tell(
+        &mut self,
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+        label: &str,
+        hint: impl Into<Option<String>>,
+    ) {
+        self.found.push(Diagnostic::new(code, span, message).label(label).maybe_hint(hint.into()));
     }
 }
 

@@ -4,7 +4,7 @@ use super::expressions::is_thing;
 use super::{Checker, Expected, count};
 use crate::grammar::ast::*;
 use crate::grammar::names::{Name, Names, closest};
-use crate::grammar::{PRIMITIVES, Span, is_primitive};
+use crate::grammar::{Code, PRIMITIVES, Span, is_primitive};
 
 impl<'g> Checker<'g> {
     pub(super) fn rule(&mut self, rule: &'g Rule) {
@@ -13,7 +13,8 @@ impl<'g> Checker<'g> {
             self.defined_name(param);
             if rule.params[..at].contains(param) {
                 let message = format!("the parameter `{}` stands twice", param.name);
-                self.error(param.span, message, "again", Some("give each its own name".to_owned()));
+                let hint = "give each its own name".to_owned();
+                self.tell(Code::ParameterTwice, param.span, message, "again", hint);
             }
         }
         let arity = self.arity(&rule.label.name).unwrap_or(rule.params.len());
@@ -25,7 +26,7 @@ impl<'g> Checker<'g> {
                 arity
             );
             let hint = "all rules of a label take the same parameters".to_owned();
-            self.error(rule.label.span, message, "differs", Some(hint));
+            self.tell(Code::ParametersDiffer, rule.label.span, message, "differs", hint);
         }
         for expr in rule.condition.iter().chain(&rule.weight) {
             self.expr(expr, &rule.params, Expected::Number);
@@ -67,7 +68,8 @@ impl<'g> Checker<'g> {
         for (at, (selector, body)) in parts.iter().enumerate() {
             if parts[..at].iter().any(|(other, _)| other == selector) {
                 let message = format!("the part `{selector}` stands twice");
-                self.error(body.span, message, "never runs", Some("keep one of the two".to_owned()));
+                let hint = "keep one of the two".to_owned();
+                self.tell(Code::PartTwice, body.span, message, "never runs", hint);
             }
         }
     }
@@ -96,7 +98,8 @@ impl<'g> Checker<'g> {
         let hint = near.map_or(format!("define it: `style {} {{ wall = ... }}`", name.name), |near| {
             format!("did you mean `{near}`?")
         });
-        self.error(name.span, format!("there is no style `{}`", name.name), "not defined", Some(hint));
+        let message = format!("there is no style `{}`", name.name);
+        self.tell(Code::UnknownStyle, name.span, message, "not defined", hint);
     }
 
     fn item_size(&mut self, item: &Item, params: &[Ident]) {
@@ -109,12 +112,8 @@ impl<'g> Checker<'g> {
     fn fixed_size(&mut self, size: &Size, params: &[Ident]) {
         if size.kind == SizeKind::Floating {
             let hint = "write blocks, or `'` for a fraction of the scope".to_owned();
-            self.error(
-                size.value.span,
-                "a floating size only has a meaning in a split",
-                "floats",
-                Some(hint),
-            );
+            let message = "a floating size only has a meaning in a split";
+            self.tell(Code::FloatsAlone, size.value.span, message, "floats", hint);
         }
         self.expr(&size.value, params, Expected::Number);
     }
@@ -128,7 +127,7 @@ impl<'g> Checker<'g> {
             && named != up
         {
             let message = format!("blocks only turn about the vertical, which is {up} here");
-            self.error(axis.span, message, "lies flat", Some(format!("write `R({up}, ...)`")));
+            self.tell(Code::FlatTurn, axis.span, message, "lies flat", format!("write `R({up}, ...)`"));
         }
     }
 
@@ -143,7 +142,7 @@ impl<'g> Checker<'g> {
         if is_other {
             let message = format!("`{name}` is no shape that could be made of `{material}`");
             let hint = format!("write `I({name})`, or one of the shapes: {}", PRIMITIVES.join(", "));
-            self.error(name.span, message, "no shape", Some(hint));
+            self.tell(Code::NoMaterial, name.span, message, "no shape", hint);
         }
     }
 
@@ -153,18 +152,13 @@ impl<'g> Checker<'g> {
             None => {
                 let hint = self.label_hint(&label.name);
                 let message = format!("there is no rule for `{}`", label.name);
-                self.error(label.span, message, "not defined", Some(hint));
+                self.tell(Code::UnknownLabel, label.span, message, "not defined", hint);
             }
             Some(arity) if arity != args.len() => {
                 let message =
                     format!("`{}` takes {}, not {}", label.name, count(arity, "argument"), args.len());
-                let params = self.parameters(&label.name);
-                self.error(
-                    span,
-                    message,
-                    "called here",
-                    Some(format!("its rules read `{}{params} --> ...`", label.name)),
-                );
+                let hint = format!("its rules read `{}{} --> ...`", label.name, self.parameters(&label.name));
+                self.tell(Code::WrongArity, span, message, "called here", hint);
             }
             Some(_) => {}
         }
@@ -184,6 +178,9 @@ impl<'g> Checker<'g> {
     }
 
     pub(super) fn label_hint(&self, name: &str) -> String {
+        if let Some(hint) = hint_for_foreign(name) {
+            return hint.to_owned();
+        }
         if let Some(label) = closest(name, self.rules.keys().copied()) {
             return format!("did you mean `{label}`?");
         }
@@ -193,4 +190,19 @@ impl<'g> Checker<'g> {
         }
         format!("add a rule `{name} --> ...`")
     }
+}
+
+/// What to write instead of operations that other grammars of shapes have.
+fn hint_for_foreign(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "extrude" => "a scope has its height already: `S('1, 10, '1){ ... }` sets another",
+        "color" | "texture" | "setupProjection" | "projectUV" => "blocks have their looks: `I(red_wool)`",
+        "set" => "a style gives constants other values: `style(spruce){ ... }`",
+        "center" => {
+            "a part between two floating ones stands in the middle: `split(x){ ~1 : nil | 3 : door | ~1 : nil }`"
+        }
+        "NIL" | "Nil" | "null" => "to place nothing, write `nil`",
+        "i" => "to place something, write `I(stone)`",
+        _ => return None,
+    })
 }

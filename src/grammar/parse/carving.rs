@@ -4,7 +4,7 @@ use super::cursor::{Parse, Parser};
 use crate::grammar::ast::*;
 use crate::grammar::lex::Kind;
 use crate::grammar::names::closest;
-use crate::grammar::{Diagnostic, Span};
+use crate::grammar::{Code, Diagnostic, Span};
 
 impl Parser<'_> {
     /// `comp`, up to its kind; the rest is that of every carving.
@@ -16,7 +16,8 @@ impl Parser<'_> {
             "e" => Carving::Edges,
             "v" => Carving::Vertices,
             _ => {
-                let error = Diagnostic::error(kind.span, format!("`{}` is no kind of component", kind.name));
+                let message = format!("`{}` is no kind of component", kind.name);
+                let error = Diagnostic::new(Code::UnknownComponent, kind.span, message);
                 return Err(Box::new(
                     error.hint("a scope has faces, `comp(f)`, edges, `comp(e)`, and vertices, `comp(v)`"),
                 ));
@@ -45,8 +46,10 @@ impl Parser<'_> {
     fn carved(&mut self, how: Carving, args: Vec<Expr>, word: Span) -> Parse<Op> {
         let (counts, takes) = how.takes();
         if !counts.contains(&args.len()) {
-            let message = format!("`{})` cannot take {} arguments", how.head(), args.len());
-            return Err(Box::new(Diagnostic::error(word, message).hint(format!("it takes {takes}"))));
+            let plural = if args.len() == 1 { "" } else { "s" };
+            let message = format!("`{}` cannot take {} argument{plural}", word_of(how), args.len());
+            let error = Diagnostic::new(Code::CarvingArguments, word, message);
+            return Err(Box::new(error.hint(format!("it takes {takes}"))));
         }
         self.expect("{", "before the parts")?;
         let mut parts = Vec::new();
@@ -71,8 +74,9 @@ impl Parser<'_> {
         match selector.suits(how) {
             true => Ok(selector),
             false => {
-                let message = format!("`{})` has no part of that name", how.head());
-                Err(Box::new(Diagnostic::error(span, message).label("here").hint(parts_of(how))))
+                let message = format!("`{}` has no part `{}`", word_of(how), &self.text[span.range()]);
+                let error = Diagnostic::new(Code::UnknownPart, span, message);
+                Err(Box::new(error.label("here").hint(parts_of(how))))
             }
         }
     }
@@ -80,7 +84,7 @@ impl Parser<'_> {
     fn index(&mut self) -> Parse<u32> {
         let token = self.next();
         self.word(token).parse().map_err(|_| {
-            let error = Diagnostic::error(token.span, "this is no number of a part");
+            let error = Diagnostic::new(Code::UnknownPart, token.span, "this is no number of a part");
             Box::new(error.hint("parts are numbered from 0"))
         })
     }
@@ -104,8 +108,17 @@ fn face(ident: &Ident, how: Carving) -> Parse<Face> {
     face.map(|(_, face)| *face).ok_or_else(|| {
         let near = closest(&ident.name, Face::NAMES.iter().map(|(name, _)| *name));
         let hint = near.map_or_else(|| parts_of(how), |near| format!("did you mean `{near}`?"));
-        Box::new(Diagnostic::error(ident.span, format!("there is no part `{}`", ident.name)).hint(hint))
+        let message = format!("there is no part `{}`", ident.name);
+        Box::new(Diagnostic::new(Code::UnknownPart, ident.span, message).hint(hint))
     })
+}
+
+/// What messages call an operation: `comp(f)`, `offset`.
+fn word_of(how: Carving) -> String {
+    match how.is_component() {
+        true => format!("{})", how.head()),
+        false => how.head().trim_end_matches('(').to_owned(),
+    }
 }
 
 /// What parts an operation carves, in words.

@@ -2,7 +2,7 @@
 
 use crate::grammar::ast::{Ident, Rule};
 use crate::grammar::lex::{Kind, Place, Token};
-use crate::grammar::{Diagnostic, Span};
+use crate::grammar::{Code, Diagnostic, Span};
 
 pub struct Parser<'t> {
     pub(super) text: &'t str,
@@ -120,17 +120,18 @@ impl<'t> Parser<'t> {
             (_, Place::Inner) => (token.span, format!("`{}`", self.word(token))),
             _ => (self.after_previous(), format!("`{}` on the next line", self.word(token))),
         };
-        Box::new(Diagnostic::error(span, format!("{expected}, found {found}")).label("here"))
+        let message = format!("{expected}, found {found}");
+        Box::new(Diagnostic::new(Code::Unexpected, span, message).label("here"))
     }
 
-    /// As [`Parser::unexpected`], with what to write instead.
-    pub(super) fn unexpected_with(&self, expected: &str, hint: &str) -> Box<Diagnostic> {
-        Box::new(self.unexpected(expected).hint(hint))
+    /// As [`Parser::unexpected`], of a slip that has a code of its own, with what to write instead.
+    pub(super) fn unexpected_with(&self, code: Code, expected: &str, hint: &str) -> Box<Diagnostic> {
+        Box::new(Diagnostic { code, ..self.unexpected(expected).hint(hint) })
     }
 
     /// Refuses what would overflow the stack.
     pub(super) fn too_much(&self, message: &str) -> Box<Diagnostic> {
-        let error = Diagnostic::error(self.peek().span, message).label("from here on");
+        let error = Diagnostic::new(Code::NestedTooDeeply, self.peek().span, message).label("from here on");
         Box::new(error.hint("give the inner parts rules or constants of their own"))
     }
 
@@ -161,7 +162,7 @@ impl<'t> Parser<'t> {
             true => "a condition stands before the arrow: `label : condition --> operation`",
             false => "a rule ends with its line, unless one of its brackets is open",
         };
-        self.unexpected_with("expected the next rule on a line of its own", hint)
+        self.unexpected_with(Code::LeftOver, "expected the next rule on a line of its own", hint)
     }
 
     pub(super) fn starts_item(&self) -> bool {

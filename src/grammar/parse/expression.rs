@@ -4,7 +4,7 @@ use super::cursor::{Parse, Parser};
 use super::{MAX_DEPTH, MAX_OPERATORS};
 use crate::grammar::ast::*;
 use crate::grammar::lex::{Kind, Place, Token};
-use crate::grammar::{Diagnostic, Span};
+use crate::grammar::{Code, Diagnostic, Span};
 use crate::space::Axis;
 
 impl Parser<'_> {
@@ -33,7 +33,8 @@ impl Parser<'_> {
             false => Some(name_end),
         };
         let Some(end) = end else {
-            let error = Diagnostic::error(first.span, "the properties of this block are not closed by `]`");
+            let message = "the properties of this block are not closed by `]`";
+            let error = Diagnostic::new(Code::OpenProperties, first.span, message);
             return Err(Box::new(error));
         };
         let span = Span::new(first.span.start, first.span.start + end);
@@ -131,7 +132,8 @@ impl Parser<'_> {
         let token = self.next();
         let value = self.word(token).parse().unwrap_or(f64::INFINITY);
         if !f64::is_finite(value) {
-            return Err(Box::new(Diagnostic::error(token.span, "this number is too large")));
+            let message = "this number is too large";
+            return Err(Box::new(Diagnostic::new(Code::NumberTooLarge, token.span, message)));
         }
         Ok(Expr { kind: ExprKind::Number(value), span: token.span })
     }
@@ -179,7 +181,8 @@ impl Parser<'_> {
         function.takes(args.len()).map_err(|expected| {
             let plural = if args.len() == 1 { "" } else { "s" };
             let message = format!("`{name}` cannot take {} argument{plural}", args.len());
-            Box::new(Diagnostic::error(span, message).hint(format!("it takes {expected}")))
+            let error = Diagnostic::new(Code::FunctionArguments, span, message);
+            Box::new(error.hint(format!("it takes {expected}")))
         })?;
         Ok(Expr { kind: ExprKind::Call(function, args), span })
     }
@@ -247,7 +250,8 @@ impl Parser<'_> {
             "index" => Share::Index,
             "total" => Share::Total,
             _ => {
-                let error = Diagnostic::error(field.span, format!("a split has no `{}`", field.name));
+                let message = format!("a split has no `{}`", field.name);
+                let error = Diagnostic::new(Code::UnknownField, field.span, message);
                 return Err(Box::new(error.hint("it has split.index, from 0, and split.total")));
             }
         };
@@ -261,7 +265,8 @@ impl Parser<'_> {
             "sy" => Axis::Y,
             "sz" => Axis::Z,
             _ => {
-                let error = Diagnostic::error(field.span, format!("a scope has no `{}`", field.name));
+                let message = format!("a scope has no `{}`", field.name);
+                let error = Diagnostic::new(Code::UnknownField, field.span, message);
                 return Err(Box::new(error.hint("it has scope.sx, scope.sy and scope.sz: its lengths")));
             }
         };

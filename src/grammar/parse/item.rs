@@ -3,7 +3,7 @@
 use super::cursor::{Parse, Parser};
 use crate::grammar::ast::*;
 use crate::grammar::lex::{Kind, Place};
-use crate::grammar::{Diagnostic, Span};
+use crate::grammar::{Code, Diagnostic, Span};
 use crate::space::Up;
 
 impl Parser<'_> {
@@ -30,6 +30,9 @@ impl Parser<'_> {
             grammar.imports.push(self.import(comments)?);
             return Ok(());
         }
+        if second.kind == Kind::Ident && second.place == Place::Inner {
+            self.refuse_unfinished()?;
+        }
         if self.is_word("style") && second.kind == Kind::Ident {
             grammar.styles.push(self.style(comments)?);
             return Ok(());
@@ -53,6 +56,19 @@ impl Parser<'_> {
         Ok(())
     }
 
+    /// Refuses a directive whose second word is of the wrong kind: nothing else begins with two words.
+    fn refuse_unfinished(&mut self) -> Parse<()> {
+        let (code, expected, hint) = match self.word(self.peek()) {
+            "import" => {
+                (Code::Unexpected, "the name of a file in quotes", "as in `import \"walls.grammar\"`")
+            }
+            "priority" => (Code::BadPriority, "a priority", "it is a whole number from 1: `priority 2`"),
+            _ => return Ok(()),
+        };
+        self.next();
+        Err(self.unexpected_with(code, &format!("expected {expected}"), hint))
+    }
+
     /// `priority 2`: that of the rules which follow.
     fn set_priority(&mut self) -> Parse<()> {
         self.next();
@@ -60,7 +76,7 @@ impl Parser<'_> {
         match self.word(number).parse().ok().filter(|priority| *priority > 0) {
             Some(priority) => self.priority = priority,
             None => {
-                let error = Diagnostic::error(number.span, "this is no priority");
+                let error = Diagnostic::new(Code::BadPriority, number.span, "this is no priority");
                 return Err(Box::new(error.hint("it is a whole number from 1: `priority 2`")));
             }
         }
@@ -73,7 +89,11 @@ impl Parser<'_> {
         let prefix = match self.is_word("as") {
             true => {
                 self.next();
-                Some(self.ident("what its names begin with, after `as`")?)
+                let prefix = "what its names begin with, after `as`";
+                if self.peek().place != Place::Inner {
+                    return Err(self.unexpected(&format!("expected {prefix}")));
+                }
+                Some(self.ident(prefix)?)
             }
             false => None,
         };
@@ -88,7 +108,11 @@ impl Parser<'_> {
         let mut values = Vec::new();
         while self.accept("}").is_none() {
             let constant = self.dotted("the name of a constant, or `}`")?;
-            self.expect("=", "between a constant and its value")?;
+            if self.accept("=").is_none() {
+                let expected = "expected `=` between a constant and its value";
+                let hint = "a style reads `style spruce { wall = spruce_planks, post = spruce_log }`";
+                return Err(self.unexpected_with(Code::Unexpected, expected, hint));
+            }
             values.push((constant, self.argument()?));
             let _ = self.accept(",");
         }
@@ -110,7 +134,8 @@ impl Parser<'_> {
                 "group" => attribute.group = Some(self.text("the name of the group in quotes")?),
                 "about" => attribute.about = Some(self.text("a description in quotes")?),
                 _ => {
-                    let error = Diagnostic::error(word.span, format!("an attribute has no `{}`", word.name));
+                    let message = format!("an attribute has no `{}`", word.name);
+                    let error = Diagnostic::new(Code::UnknownNote, word.span, message);
                     return Err(Box::new(error.hint(
                         "it may have range(1, 9), group(\"Massing\") and about(\"the number of storeys\")",
                     )));
@@ -137,7 +162,7 @@ impl Parser<'_> {
             "y" => Up::Y,
             "z" => Up::Z,
             _ => {
-                let error = Diagnostic::error(axis.span, "only y or z can be up");
+                let error = Diagnostic::new(Code::BadUp, axis.span, "only y or z can be up");
                 return Err(Box::new(error.hint("write `up z` or `up y`")));
             }
         };
@@ -151,7 +176,8 @@ impl Parser<'_> {
         match grammar.data_version {
             Some(_) => Ok(()),
             None => {
-                let error = Diagnostic::error(number.span, "this is no data version of the game");
+                let message = "this is no data version of the game";
+                let error = Diagnostic::new(Code::BadDataVersion, number.span, message);
                 Err(Box::new(error.hint("it is a whole number, as in `data_version 3465` for 1.20.1")))
             }
         }
@@ -178,7 +204,11 @@ impl Parser<'_> {
                 true => "the arrow has two dashes: `-->`",
                 false => "a rule reads `label --> operation`, a constant `name = value`",
             };
-            return Err(self.unexpected_with(&format!("expected `-->` after `{}`", label.name), hint));
+            return Err(self.unexpected_with(
+                Code::NoArrow,
+                &format!("expected `-->` after `{}`", label.name),
+                hint,
+            ));
         }
         self.next();
         let successor = self.successor()?;

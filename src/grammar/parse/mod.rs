@@ -11,7 +11,7 @@ mod splitting;
 
 use super::ast::Grammar;
 use super::lex::{Kind, lex};
-use super::{Diagnostic, Span};
+use super::{Code, Diagnostic, Span};
 use comments::Comments;
 use cursor::Parser;
 use std::collections::BTreeSet;
@@ -57,7 +57,8 @@ pub fn parse_items(text: &str) -> Parsed {
     }
     if grammar.rules.is_empty() && errors.is_empty() {
         let message = "a grammar needs a rule";
-        errors.push(Diagnostic::error(Span::new(0, 0), message).hint("for example `house --> I(stone)`"));
+        let error = Diagnostic::new(Code::NoRules, Span::new(0, 0), message);
+        errors.push(error.hint("for example `house --> I(stone)`"));
     }
     errors.sort_by_key(|error| error.span.start);
     Parsed { grammar, errors, broken }

@@ -5,7 +5,7 @@ use super::cursor::{Parse, Parser};
 use crate::grammar::ast::*;
 use crate::grammar::lex::{Kind, Place};
 use crate::grammar::names::closest;
-use crate::grammar::{Diagnostic, Span};
+use crate::grammar::{Code, Diagnostic, Span};
 
 impl Parser<'_> {
     /// One operation, or several side by side that share a scope.
@@ -115,7 +115,11 @@ impl Parser<'_> {
         let body = match self.is_symbol("{") {
             true => self.body()?,
             false if self.goes_on() => Box::new(self.successor()?),
-            false => return Err(self.unexpected("expected `{`, or an operation for the changed scope")),
+            false => {
+                let expected = "expected `{`, or an operation for the changed scope";
+                let hint = "as in `T(0, 4, 0){ roof }`, or with what is changed behind it: `T(0, 4, 0) roof`";
+                return Err(self.unexpected_with(Code::Unexpected, expected, hint));
+            }
         };
         Ok(Op::Within { change, body })
     }
@@ -135,6 +139,11 @@ impl Parser<'_> {
             } else {
                 return Err(self.unexpected("expected an option, as in `pitch = 1`"));
             }
+        }
+        if self.is_symbol("{") {
+            let hint = "blocks to choose from read `mix{ 3 : stone | 1 : dirt }`, `pick{ 1 : oak | 1 : birch }` or \
+                        `gradient(y){ stone | dirt }`";
+            return Err(self.unexpected_with(Code::Unexpected, "expected `)` after the primitive", hint));
         }
         self.expect(")", "after the primitive")?;
         Ok(Op::Primitive { name, material, options })
@@ -236,5 +245,6 @@ fn no_operation(word: &Ident) -> Box<Diagnostic> {
     let hint = near.map_or(format!("the operations with braces are {}", OPERATIONS.join(", ")), |near| {
         format!("did you mean `{near}`?")
     });
-    Box::new(Diagnostic::error(word.span, format!("there is no operation `{}`", word.name)).hint(hint))
+    let message = format!("there is no operation `{}`", word.name);
+    Box::new(Diagnostic::new(Code::UnknownOperation, word.span, message).hint(hint))
 }

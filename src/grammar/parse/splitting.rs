@@ -1,6 +1,7 @@
 //! Splits and repeats.
 
 use super::cursor::{Parse, Parser};
+use crate::grammar::Code;
 use crate::grammar::ast::*;
 
 impl Parser<'_> {
@@ -16,7 +17,8 @@ impl Parser<'_> {
     /// `snap` or `snap(label)`: that the boundaries heed snap planes.
     fn snap(&mut self) -> Parse<Snap> {
         if !self.is_word("snap") {
-            return Err(self.unexpected("expected `snap` or `snap(label)`"));
+            let hint = "as in `split(x, snap){ ... }` or `split(x, snap(ledge)){ ... }`";
+            return Err(self.unexpected_with(Code::Unexpected, "expected `snap` or `snap(label)`", hint));
         }
         self.next();
         let Some(_) = self.accept("(") else { return Ok(Snap { label: None }) };
@@ -45,13 +47,12 @@ impl Parser<'_> {
         }
         const HINT: &str = "a part reads `size : operation`, as in `~1 : wall`";
         if self.is_symbol("}") || self.is_symbol("|") {
-            return Err(self.unexpected_with("expected a part", HINT));
+            return Err(self.unexpected_with(Code::BadPart, "expected a part", HINT));
         }
         let size = self.size()?;
         if !self.is_symbol(":") {
-            return Err(
-                self.unexpected_with("expected `:` between the size of a part and its operation", HINT)
-            );
+            let expected = "expected `:` between the size of a part and its operation";
+            return Err(self.unexpected_with(Code::BadPart, expected, HINT));
         }
         self.next();
         Ok(Item::Part { size, body: self.successor()? })
