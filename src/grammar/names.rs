@@ -72,6 +72,9 @@ pub const PRIMITIVES: [&str; 23] = [
     "window",
 ];
 
+/// What can be said of a primitive beside its material.
+pub const OPTIONS: [&str; 4] = ["pitch", "overhang", "thickness", "wall"];
+
 /// Whether a name is one of [`PRIMITIVES`], which may carry a number: `window3`.
 pub fn is_primitive(name: &str) -> bool {
     PRIMITIVES.contains(&name.trim_end_matches(|c: char| c.is_ascii_digit()))

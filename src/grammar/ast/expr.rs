@@ -143,6 +143,21 @@ impl BinaryOp {
     pub fn binding(self) -> u8 {
         [0, 1, 3, 3, 3, 3, 3, 3, 4, 4, 5, 5, 5][self as usize]
     }
+
+    pub fn is_comparison(self) -> bool {
+        self.binding() == BinaryOp::Equal.binding()
+    }
+
+    /// The operator that says the same with its sides exchanged, for a comparison.
+    pub fn mirrored(self) -> BinaryOp {
+        match self {
+            BinaryOp::Less => BinaryOp::Greater,
+            BinaryOp::LessEqual => BinaryOp::GreaterEqual,
+            BinaryOp::Greater => BinaryOp::Less,
+            BinaryOp::GreaterEqual => BinaryOp::LessEqual,
+            other => other,
+        }
+    }
 }
 
 /// The functions of expressions.

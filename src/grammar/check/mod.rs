@@ -1,13 +1,26 @@
 //! Static checks: what can be known to be wrong before a grammar runs.
 
+mod attributes;
+mod cases;
+mod conditions;
 mod definitions;
 mod expressions;
+mod fitting;
+mod flow;
 mod labels;
+mod numbers;
+mod options;
+mod parts;
+mod recursion;
 mod rules;
+mod snapping;
+mod usage;
+mod weights;
 
 use super::ast::*;
 use super::parse::{Parsed, parse_items};
 use super::{Code, Diagnostic, Span};
+use flow::Flow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A grammar without errors: every label has rules, every name a meaning, every call the right arity.
@@ -73,6 +86,11 @@ fn findings(grammar: &Grammar, broken: &BTreeSet<String>) -> Vec<Diagnostic> {
     grammar.rules.iter().for_each(|rule| checker.rule(rule));
     checker.aliases();
     checker.unreachable();
+    checker.weights();
+    // What follows is about grammars whose every name has a meaning.
+    if broken.is_empty() && !checker.found.iter().any(Diagnostic::is_error) {
+        checker.meaning();
+    }
     let mut found = checker.found;
     found.sort_by_key(|finding| finding.span.start);
     found
@@ -158,6 +176,17 @@ struct Checker<'g> {
 }
 
 impl<'g> Checker<'g> {
+    /// What names alone do not show: what can never go well, and what is for nothing.
+    fn meaning(&mut self) {
+        self.unused();
+        self.snap_planes();
+        self.recursion();
+        let flow = Flow::of(self.grammar, &self.rules);
+        self.attributes(&flow);
+        self.fitting(&flow);
+        self.conditions(&flow);
+    }
+
     fn tell(
         &mut self,
         code: Code,

@@ -40,7 +40,7 @@ impl<'g> Checker<'g> {
             Op::Primitive { name, material, options } => {
                 self.expr(name, params, Expected::Thing);
                 material.iter().for_each(|material| self.material(name, material, params));
-                options.iter().for_each(|(_, value)| self.expr(value, params, Expected::Any));
+                self.options(name, options, params);
             }
             Op::Call { label, args } => {
                 self.call(label, args, successor.span);
