@@ -4,6 +4,7 @@
 
 use snapbox::cmd::{Command, cargo_bin};
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 
 #[test]
@@ -108,4 +109,33 @@ fn a_closed_pipe_is_no_error() {
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert!(output.status.success() && output.stderr.is_empty());
+}
+
+#[test]
+fn a_watched_grammar_runs_again_when_a_file_of_it_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    write("house.grammar", "import \"parts.grammar\"\nsize(3, 3, 3)\nhouse --> part\n");
+    write("parts.grammar", "part --> I(stone)\n");
+    let mut child = std::process::Command::new(cargo_bin!("vox"))
+        .current_dir(folder.path())
+        .args(["run", "house.grammar", "-o", "house.schem", "--watch", "--rounds", "5"])
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+    let mut until = |end: &str| while !lines.next().expect(end).contains(end) {};
+    until("watching 2 files");
+    write("parts.grammar", "part --> split(y){ 1 : I(dirt) | ~1 : nil }\n");
+    until("0 added, 18 removed, 9 changed");
+    write("parts.grammar", "part --> walls\n");
+    until("there is no rule for `walls`");
+    write(
+        "house.grammar",
+        "import \"parts.grammar\"\nimport \"walls.grammar\"\nsize(3, 3, 3)\nhouse --> part\n",
+    );
+    until("cannot import `walls.grammar`");
+    write("walls.grammar", "walls --> I(dirt)\n");
+    until("18 added, 0 removed, 0 changed");
+    assert!(child.wait().unwrap().success());
 }

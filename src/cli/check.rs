@@ -1,10 +1,10 @@
 use super::failure::Failure;
 use super::input;
 use super::output;
-use super::report::{self, Source};
-use crate::grammar::{self, Diagnostic, Severity};
+use super::report;
+use crate::grammar::{self, Diagnostic, Loaded, Severity, Sources};
 use serde_json::json;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Check grammars: every error at once, each with its place
 #[derive(clap::Args)]
@@ -21,11 +21,10 @@ pub struct Args {
 pub fn execute(args: &Args) -> Result<(), Failure> {
     let mut failed = false;
     for path in input::paths(&args.grammars)? {
-        let source = input::source(&path)?;
         match args.json {
-            true => failed |= print_findings(&source)?,
-            false => match input::checked(&source) {
-                Ok(checked) => report::note(&summary(&source.name, &checked)),
+            true => failed |= print_findings(&path)?,
+            false => match input::checked(&path) {
+                Ok((sources, checked)) => report::note(&summary(sources.root(), &checked)),
                 Err(failure) => {
                     failure.report();
                     failed = true;
@@ -43,24 +42,25 @@ fn summary(name: &str, checked: &grammar::Checked) -> String {
     format!("{name}: {}, no error, {}", plural(rules, "rule"), plural(warnings, "warning"))
 }
 
-/// Prints the findings of one file; whether there was an error among them.
-fn print_findings(source: &Source) -> Result<bool, Failure> {
-    let checked = grammar::read(&source.text);
+/// Prints the findings of one grammar; whether there was an error among them.
+fn print_findings(path: &Path) -> Result<bool, Failure> {
+    let Loaded { sources, checked } = input::loaded(path)?;
     let findings = checked.map_or_else(|findings| findings, |checked| checked.warnings);
     for finding in &findings {
-        output::json(&finding_json(source, finding))?;
+        output::json(&finding_json(&sources, finding))?;
     }
     Ok(findings.iter().any(Diagnostic::is_error))
 }
 
-fn finding_json(source: &Source, finding: &Diagnostic) -> serde_json::Value {
-    let (line, column) = report::line_column(&source.text, finding.span);
+fn finding_json(sources: &Sources, finding: &Diagnostic) -> serde_json::Value {
+    let place = sources.place(finding.span);
+    let (line, column) = place.line_column();
     let severity = match finding.severity() {
         Severity::Error => "error",
         Severity::Warning => "warning",
     };
     json!({
-        "file": source.name,
+        "file": place.name,
         "line": line,
         "column": column,
         "severity": severity,

@@ -52,7 +52,8 @@ impl Failure {
     }
 }
 
-fn plain(error: &ReadError) -> String {
+/// The words for an error of reading.
+pub fn plain(error: &ReadError) -> String {
     match error {
         ReadError::File(error) => io_text(error),
         error => error.to_string(),

@@ -1,6 +1,7 @@
 use super::failure::Failure;
 use super::input;
 use super::output::{self, Output};
+use super::settings::Settings;
 use crate::graph::dot;
 use std::path::PathBuf;
 
@@ -18,11 +19,12 @@ pub struct Args {
     /// The rule to start from, instead of the first
     #[arg(long, value_name = "LABEL")]
     start: Option<String>,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    let source = input::source(&args.grammar)?;
-    let graph = input::graph(&source, args.start.as_deref())?;
-    let outputs = [Output::new(&args.output, dot(&graph))];
-    output::write(&outputs, std::slice::from_ref(&args.grammar))
+    let program = input::program(&args.grammar, args.start.as_deref(), &args.settings)?;
+    let outputs = [Output::new(&args.output, dot(&program.graph))];
+    output::write(&outputs, &program.files)
 }

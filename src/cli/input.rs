@@ -1,9 +1,10 @@
 //! Reading what the command line names: files, patterns and standard input.
 
-use super::failure::Failure;
+use super::failure::{self, Failure};
 use super::part;
-use super::report::{self, Source};
-use crate::grammar::{self, Checked};
+use super::report;
+use super::settings::Settings;
+use crate::grammar::{self, Checked, Loaded, Sources};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
 use crate::io::{self, Content, Decoded, Limits, Options, ReadError, Scale};
@@ -167,52 +168,103 @@ pub fn require_grid(name: &str, content: Content) -> Result<Grid, Failure> {
 }
 
 fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    let read = match is_stdio(path) {
+    read(path, most).map_err(|error| Failure::read(&name(path), &error))
+}
+
+fn read(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
+    match is_stdio(path) {
         true => io::read_bytes(std::io::stdin(), most),
         false => {
             std::fs::File::open(path).map_err(ReadError::from).and_then(|file| io::read_bytes(file, most))
         }
-    };
-    read.map_err(|error| Failure::read(&name(path), &error))
+    }
 }
 
-/// The text of a grammar file, with its name.
-pub fn source(path: &Path) -> Result<Source, Failure> {
+/// The text of a grammar file.
+pub fn text(path: &Path) -> Result<String, Failure> {
+    text_of(path).map_err(|problem| {
+        let failure = Failure::of_file(&name(path), &problem);
+        match problem {
+            NoText::Unread(_) => failure,
+            NoText::NotUtf8(_) => {
+                failure.hint("a grammar is a text file; schematics are read by `vox infer` and `vox info`")
+            }
+        }
+    })
+}
+
+/// Why a file gives no text.
+#[derive(Debug, thiserror::Error)]
+enum NoText {
+    #[error("{0}")]
+    Unread(String),
+    #[error("this is not a text: byte {0} is not UTF-8")]
+    NotUtf8(usize),
+}
+
+fn text_of(path: &Path) -> Result<String, NoText> {
     const MOST: u64 = 64 << 20;
-    let name = name(path);
-    let bytes = bytes(path, MOST)?;
-    match String::from_utf8(bytes) {
-        Ok(text) => Ok(Source { name, text }),
-        Err(error) => {
-            let at = error.utf8_error().valid_up_to();
-            let failure = Failure::of_file(&name, format!("this is not a text: byte {at} is not UTF-8"));
-            Err(failure.hint("a grammar is a text file; schematics are read by `vox infer` and `vox info`"))
+    let bytes = read(path, MOST).map_err(|error| NoText::Unread(failure::plain(&error)))?;
+    String::from_utf8(bytes).map_err(|error| NoText::NotUtf8(error.utf8_error().valid_up_to()))
+}
+
+/// A grammar file and all that it imports.
+pub fn loaded(path: &Path) -> Result<Loaded, Failure> {
+    let text = text(path)?;
+    let mut fetch = |name: &str| text_of(Path::new(name)).map_err(|problem| problem.to_string());
+    Ok(grammar::load(&name(path), &text, &mut fetch))
+}
+
+/// The files that a grammar comes from, also those that are not there.
+pub fn files_of(path: &Path) -> Vec<PathBuf> {
+    let mut files = vec![path.to_owned()];
+    let text = text_of(path).unwrap_or_default();
+    grammar::load(&name(path), &text, &mut |name| {
+        files.push(PathBuf::from(name));
+        text_of(Path::new(name)).map_err(|problem| problem.to_string())
+    });
+    files
+}
+
+/// A grammar without errors, and its texts. Every finding is told.
+pub fn checked(path: &Path) -> Result<(Sources, Checked), Failure> {
+    let (sources, checked) = without_errors(path)?;
+    checked.warnings.iter().for_each(|finding| report::diagnostic(&sources, finding));
+    Ok((sources, checked))
+}
+
+/// A grammar without errors. Its warnings are not told.
+fn without_errors(path: &Path) -> Result<(Sources, Checked), Failure> {
+    let Loaded { sources, checked } = loaded(path)?;
+    match checked {
+        Ok(checked) => Ok((sources, checked)),
+        Err(findings) => {
+            findings.iter().for_each(|finding| report::diagnostic(&sources, finding));
+            let errors = findings.iter().filter(|finding| finding.is_error()).count();
+            let noun = if errors == 1 { "error" } else { "errors" };
+            Err(Failure::of_file(sources.root(), format!("{errors} {noun}")))
         }
     }
 }
 
-/// A grammar without errors. Every finding is told.
-pub fn checked(source: &Source) -> Result<Checked, Failure> {
-    let checked = without_errors(source)?;
-    checked.warnings.iter().for_each(|finding| report::diagnostic(source, finding));
-    Ok(checked)
+/// A grammar as a graph, with its texts.
+pub struct Program {
+    pub sources: Sources,
+    pub checked: Checked,
+    pub graph: OpGraph,
+    /// The files that it was read from, which nothing is to write over.
+    pub files: Vec<PathBuf>,
 }
 
-/// A grammar without errors. Its warnings are not told.
-fn without_errors(source: &Source) -> Result<Checked, Failure> {
-    grammar::read(&source.text).map_err(|findings| {
-        findings.iter().for_each(|finding| report::diagnostic(source, finding));
-        let errors = findings.iter().filter(|finding| finding.is_error()).count();
-        let noun = if errors == 1 { "error" } else { "errors" };
-        Failure::of_file(&source.name, format!("{errors} {noun}"))
-    })
-}
-
-/// A grammar file as a graph from `start`, or from its first rule.
-pub fn graph(source: &Source, start: Option<&str>) -> Result<OpGraph, Failure> {
+/// A grammar file as a graph from `start`, or from its first rule, with what the command line sets.
+pub fn program(path: &Path, start: Option<&str>, settings: &Settings) -> Result<Program, Failure> {
     // What the first rule does not reach is no slip where another one starts.
-    let checked = if start.is_some() { without_errors(source)? } else { checked(source)? };
-    lower(&checked, start).map_err(|error| Failure::of_file(&source.name, error))
+    let (sources, checked) = if start.is_some() { without_errors(path)? } else { checked(path)? };
+    let mut graph = lower(&checked, start).map_err(|error| Failure::of_file(sources.root(), error))?;
+    settings.apply(&mut graph, sources.root())?;
+    let imported = sources.names().skip(1).map(PathBuf::from);
+    let files = std::iter::once(path.to_owned()).chain(imported).collect();
+    Ok(Program { sources, checked, graph, files })
 }
 
 /// The schematics that a graph names as primitives, looked for beside its grammar.
@@ -229,14 +281,14 @@ pub fn library(graph: &OpGraph, grammar: &Path) -> Result<Library, Failure> {
 }
 
 /// Tells of an error of a run at its place in the text.
-pub fn run_failure(source: &Source, error: &RunError) -> Failure {
+pub fn run_failure(sources: &Sources, error: &RunError) -> Failure {
     let Some(origin) = &error.origin else {
-        let text = format!("{}: {error}", source.name);
+        let text = format!("{}: {error}", sources.root());
         report::coded_error(error.kind.code(), &text, error.hint().as_deref());
         return Failure::Told;
     };
     let finding =
         grammar::Diagnostic::new(error.kind.code(), origin.span, error.to_string()).label("this operation");
-    report::diagnostic(source, &finding.maybe_hint(error.hint()));
+    report::diagnostic(sources, &finding.maybe_hint(error.hint()));
     Failure::Told
 }

@@ -1,5 +1,6 @@
 //! The `vox` command: one file per subcommand. The only place with arguments, paths and colours.
 
+mod attributes;
 mod batch;
 mod check;
 mod completions;
@@ -10,6 +11,7 @@ mod encoding;
 mod explain;
 mod failure;
 mod fix;
+mod fmt;
 mod graph;
 mod infer;
 mod info;
@@ -23,10 +25,14 @@ mod render;
 mod replace;
 mod report;
 mod run;
+mod settings;
 mod size;
 mod summary;
+mod tally;
 mod template;
 mod turn;
+mod watch;
+mod why;
 mod writing;
 
 use clap::{Parser, Subcommand};
@@ -53,10 +59,13 @@ NO_COLOR turns colours off. `-` stands for standard input or output.";
 #[derive(Subcommand)]
 enum Command {
     Run(run::Args),
+    Why(why::Args),
     Infer(infer::Args),
     Graph(graph::Args),
     Check(check::Args),
     Explain(explain::Args),
+    Fmt(fmt::Args),
+    Attributes(attributes::Args),
     Info(info::Args),
     Render(render::Args),
     Convert(convert::Args),
@@ -78,10 +87,13 @@ pub fn main() -> ExitCode {
 pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
     let result = match Cli::parse_from(args).command {
         Command::Run(args) => run::execute(&args),
+        Command::Why(args) => why::execute(&args),
         Command::Infer(args) => infer::execute(&args),
         Command::Graph(args) => graph::execute(&args),
         Command::Check(args) => check::execute(&args),
         Command::Explain(args) => explain::execute(&args),
+        Command::Fmt(args) => fmt::execute(&args),
+        Command::Attributes(args) => attributes::execute(&args),
         Command::Info(args) => info::execute(&args),
         Command::Render(args) => render::execute(&args),
         Command::Convert(args) => convert::execute(&args),

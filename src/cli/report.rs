@@ -1,14 +1,8 @@
 //! Messages to the user, on standard error.
 
-use crate::grammar::{Code, Diagnostic, Severity, Span};
+use crate::grammar::{Code, Diagnostic, Severity, Sources, Span};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-
-/// A named text, for messages that show its lines.
-pub struct Source {
-    pub name: String,
-    pub text: String,
-}
 
 pub fn error(text: &str, hint: Option<&str>) {
     message(Level::ERROR, None, text, hint);
@@ -41,19 +35,19 @@ fn message(level: Level<'_>, code: Option<Code>, text: &str, hint: Option<&str>)
 }
 
 /// A finding with the place in the text that it is about.
-pub fn diagnostic(source: &Source, diagnostic: &Diagnostic) {
-    anstream::eprintln!("{}\n", rendered(source, diagnostic));
+pub fn diagnostic(sources: &Sources, diagnostic: &Diagnostic) {
+    anstream::eprintln!("{}\n", rendered(sources, diagnostic));
 }
 
 /// The text of a finding, with colours.
-fn rendered(source: &Source, diagnostic: &Diagnostic) -> String {
+fn rendered(sources: &Sources, diagnostic: &Diagnostic) -> String {
     let level = match diagnostic.severity() {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let span = shown(&source.text, diagnostic.span);
-    let place = AnnotationKind::Primary.span(span).label(diagnostic.label.as_str());
-    let snippet = Snippet::source(source.text.as_str()).path(source.name.as_str()).annotation(place);
+    let place = sources.place(diagnostic.span);
+    let mark = AnnotationKind::Primary.span(shown(place.text, place.span)).label(diagnostic.label.as_str());
+    let snippet = Snippet::source(place.text).path(place.name).annotation(mark);
     let mut group =
         level.primary_title(diagnostic.message.as_str()).id(diagnostic.code.id()).element(snippet);
     if let Some(hint) = &diagnostic.hint {
@@ -72,11 +66,4 @@ fn shown(text: &str, span: Span) -> std::ops::Range<usize> {
 
 fn renderer() -> Renderer {
     Renderer::styled().decor_style(DecorStyle::Ascii)
-}
-
-/// Line and column of a place, both from 1.
-pub fn line_column(text: &str, span: Span) -> (usize, usize) {
-    let before = &text[..span.start.min(text.len())];
-    let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }

@@ -1,13 +1,17 @@
 use super::failure::Failure;
-use super::input;
+use super::input::{self, Program};
 use super::output::{self, Kind, Writing};
 use super::progress::Progress;
-use super::report::{self, Source};
+use super::report;
+use super::settings::Settings;
 use super::size::SizeArg;
 use super::summary::{self, Summary};
+use super::tally::Tally;
 use super::template::Template;
-use crate::graph::OpGraph;
-use crate::run::{self, Library, Limits, Made, Options, Overrun};
+use super::watch::watch;
+use crate::grammar::Sources;
+use crate::grid::Grid;
+use crate::run::{self, Labels, Library, Limits, Made, Observer, Options, Overrun};
 use crate::space::Cell;
 use clap::ValueEnum;
 use serde_json::json;
@@ -22,6 +26,8 @@ Examples:
   vox run cottage.grammar --seed 7 -o cottage.schem
   vox run tower.grammar --size 7x30x7 -o tower.png
   vox run village.grammar -n 50 -o 'out/house-{seed}.schem'
+  vox run tower.grammar --set floors=5 --style spruce --report -o tower.schem
+  vox run tower.grammar --watch -o tower.png
   vox run garage.grammar -n 10 --boxes -o 'garage-{number}.obj'")]
 pub struct Args {
     /// The grammar file, or - for standard input
@@ -59,93 +65,206 @@ pub struct Args {
     /// Print what was made as JSON, one line a building
     #[arg(long)]
     json: bool,
+    /// Tell how often each label was derived, and how many of each block stand in what was made
+    #[arg(long)]
+    report: bool,
+    /// Go on: run again whenever the grammar, its imports or its schematics change, and tell what is different
+    #[arg(long)]
+    watch: bool,
+    /// How often to run at the most while watching
+    #[arg(long, value_name = "N", hide = true, requires = "watch")]
+    rounds: Option<u32>,
+    #[command(flatten)]
+    settings: Settings,
     #[command(flatten)]
     writing: Writing,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum OverrunArg {
+pub enum OverrunArg {
     /// Stop, and name the rule
     Error,
     /// Cut off what runs over, and warn
     Clip,
 }
 
-pub fn execute(args: &Args) -> Result<(), Failure> {
-    let source = input::source(&args.grammar)?;
-    let graph = input::graph(&source, args.start.as_deref())?;
-    let library = input::library(&graph, &args.grammar)?;
-    let seeds: Vec<u64> = (0..u64::from(args.number)).map(|number| args.seed.wrapping_add(number)).collect();
-    let paths = args.output.of_seeds(&seeds)?;
-    if let Some(path) = paths.first() {
-        let kind = args.writing.kind(path)?;
-        let is_obj = kind == Kind::Obj || (input::is_stdio(path) && args.writing.format.is_none());
-        if args.boxes && !is_obj {
-            let failure =
-                Failure::of_file(&path.display().to_string(), "labelled boxes are written as .obj only");
-            return Err(failure.hint("name it .obj, or leave out `--boxes`"));
-        }
-        if args.json && input::is_stdio(path) {
-            return Err(Failure::new("standard output cannot hold both the building and JSON"));
+impl OverrunArg {
+    pub fn overrun(self) -> Overrun {
+        match self {
+            OverrunArg::Error => Overrun::Refuse,
+            OverrunArg::Clip => Overrun::Clip,
         }
     }
+}
+
+/// A grammar that is ready to run.
+pub struct Ready {
+    program: Program,
+    library: Library,
+}
+
+/// What one seed made.
+struct Building {
+    /// Its size in the world.
+    size: Cell,
+    /// What it is, in a few words.
+    what: String,
+    tally: Tally,
+}
+
+impl Args {
+    pub fn grammar(&self) -> &Path {
+        &self.grammar
+    }
+}
+
+impl Ready {
+    /// The schematics that the grammar names, as it names them.
+    pub fn files(&self) -> Vec<&str> {
+        self.program.graph.files()
+    }
+}
+
+pub fn execute(args: &Args) -> Result<(), Failure> {
+    match args.watch {
+        true => watch(args, args.rounds),
+        false => build(args, &ready(args)?, &mut |_, _| {}),
+    }
+}
+
+/// Makes and writes all buildings. Each is shown to `look` before it is written.
+pub fn build(args: &Args, ready: &Ready, look: &mut dyn FnMut(&Path, &Grid)) -> Result<(), Failure> {
+    let seeds: Vec<u64> = (0..u64::from(args.number)).map(|number| args.seed.wrapping_add(number)).collect();
+    let paths = args.output.of_seeds(&seeds)?;
+    paths.first().map_or(Ok(()), |path| writable(args, path))?;
     let progress = Progress::new(seeds.len());
-    let mut summary = Summary::default();
+    let (mut summary, mut tally) = (Summary::default(), Tally::default());
     for (seed, path) in seeds.into_iter().zip(&paths) {
-        let (size, what) = make(args, &source, &graph, &library, seed, path)?;
+        let building = make(args, ready, seed, path, look)?;
         match args.json {
-            true => output::json(&json!({
-                "file": path.display().to_string(), "seed": seed, "size": size.to_array(),
-            }))?,
-            false => summary.add(path, what),
+            true => output::json(&as_json(args, &building, seed, path))?,
+            false => summary.add(path, building.what),
         }
+        tally.join(building.tally);
         progress.step();
     }
     drop(progress);
     summary.tell();
+    if args.report && !args.json { output::stdout(tally.text().as_bytes()) } else { Ok(()) }
+}
+
+pub fn ready(args: &Args) -> Result<Ready, Failure> {
+    let program = input::program(&args.grammar, args.start.as_deref(), &args.settings)?;
+    let library = input::library(&program.graph, &args.grammar)?;
+    Ok(Ready { program, library })
+}
+
+/// Whether what the arguments ask for can be written to such a file.
+fn writable(args: &Args, path: &Path) -> Result<(), Failure> {
+    let kind = args.writing.kind(path)?;
+    let is_obj = kind == Kind::Obj || (input::is_stdio(path) && args.writing.format.is_none());
+    if args.boxes && !is_obj {
+        let failure =
+            Failure::of_file(&path.display().to_string(), "labelled boxes are written as .obj only");
+        return Err(failure.hint("name it .obj, or leave out `--boxes`"));
+    }
+    if input::is_stdio(path) && (args.json || args.report) {
+        let what = if args.json { "JSON" } else { "a report" };
+        return Err(Failure::new(format!("standard output cannot hold both the building and {what}")));
+    }
     Ok(())
 }
 
-/// Makes and writes one building; gives back its size in the world, and what it is in a few words.
-fn make(
-    args: &Args,
-    source: &Source,
-    graph: &OpGraph,
-    library: &Library,
-    seed: u64,
-    path: &Path,
-) -> Result<(Cell, String), Failure> {
-    let options = Options {
+fn as_json(args: &Args, building: &Building, seed: u64, path: &Path) -> serde_json::Value {
+    let (file, size) = (path.display().to_string(), building.size.to_array());
+    match args.report {
+        true => json!({ "file": file, "seed": seed, "size": size, "report": building.tally.as_json() }),
+        false => json!({ "file": file, "seed": seed, "size": size }),
+    }
+}
+
+fn options(args: &Args, seed: u64) -> Options {
+    Options {
         seed,
         size: args.size.map(|size| size.0),
-        overrun: match args.overrun {
-            OverrunArg::Error => Overrun::Refuse,
-            OverrunArg::Clip => Overrun::Clip,
-        },
+        overrun: args.overrun.overrun(),
         detail: args.detail,
         limits: Limits { steps: args.max_steps, cells: args.max_cells, ..Limits::default() },
-    };
-    let inputs = std::slice::from_ref(&args.grammar);
-    let fail = |error| input::run_failure(source, &error);
-    if args.boxes {
-        let boxes = told(source, run::run_boxes(graph, &options).map_err(fail)?);
-        output::write(&output::boxes(path, &boxes), inputs)?;
-        let size = boxes.iter().map(|labelled| labelled.bounds).reduce(|all, next| all.union(&next));
-        let what = summary::boxes(boxes.len());
-        return Ok((size.map_or(Cell::ZERO, |bounds| bounds.size()), what));
     }
-    let grid = told(source, run::run(graph, library, &options).map_err(fail)?);
-    let (size, what) = (grid.size(), summary::building(&grid, args.writing.split));
-    output::write(&args.writing.grid(path, grid)?, inputs)?;
-    Ok((size, what))
+}
+
+/// Makes and writes one building.
+fn make(
+    args: &Args,
+    ready: &Ready,
+    seed: u64,
+    path: &Path,
+    look: &mut dyn FnMut(&Path, &Grid),
+) -> Result<Building, Failure> {
+    let mut labels = args.report.then(|| Labels::new(&ready.program.graph));
+    let mut building = match args.boxes {
+        true => make_boxes(args, ready, seed, path, labels.as_mut())?,
+        false => make_blocks(args, ready, seed, path, (labels.as_mut(), look))?,
+    };
+    labels.iter().for_each(|labels| building.tally.labels(labels));
+    Ok(building)
+}
+
+fn make_boxes<'g>(
+    args: &Args,
+    ready: &'g Ready,
+    seed: u64,
+    path: &Path,
+    labels: Option<&mut Labels<'g>>,
+) -> Result<Building, Failure> {
+    let made = run::run_boxes_observed(&ready.program.graph, &options(args, seed), observer(labels));
+    let boxes = told(
+        &ready.program.sources,
+        made.map_err(|error| input::run_failure(&ready.program.sources, &error))?,
+    );
+    output::write(&output::boxes(path, &boxes), &ready.program.files)?;
+    let bounds = boxes.iter().map(|labelled| labelled.bounds).reduce(|all, next| all.union(&next));
+    let size = bounds.map_or(Cell::ZERO, |bounds| bounds.size());
+    let mut tally = Tally::default();
+    tally.boxes(&boxes);
+    Ok(Building { size, what: summary::boxes(boxes.len()), tally })
+}
+
+fn make_blocks<'g>(
+    args: &Args,
+    ready: &'g Ready,
+    seed: u64,
+    path: &Path,
+    (labels, look): (Option<&mut Labels<'g>>, &mut dyn FnMut(&Path, &Grid)),
+) -> Result<Building, Failure> {
+    let Ready { program, library } = ready;
+    let made = run::run_observed(&program.graph, library, &options(args, seed), observer(labels));
+    let grid = told(&program.sources, made.map_err(|error| input::run_failure(&program.sources, &error))?);
+    look(path, &grid);
+    let mut tally = Tally::default();
+    tally.blocks(&grid);
+    let building = Building { size: grid.size(), what: summary::building(&grid, args.writing.split), tally };
+    output::write(&args.writing.grid(path, grid)?, &program.files)?;
+    Ok(building)
+}
+
+fn observer<'o, 'g>(labels: Option<&'o mut Labels<'g>>) -> Option<&'o mut (dyn Observer + 'o)>
+where
+    'g: 'o,
+{
+    labels.map(|labels| labels as &mut dyn Observer)
 }
 
 /// What was made; the warnings are told.
-fn told<T>(source: &Source, made: Made<T>) -> T {
+fn told<T>(sources: &Sources, made: Made<T>) -> T {
     for warning in &made.warnings {
-        let line =
-            warning.error.origin.as_ref().map(|origin| report::line_column(&source.text, origin.span).0);
-        let place = line.map_or(source.name.clone(), |line| format!("{}:{line}", source.name));
+        let place = match &warning.error.origin {
+            Some(origin) => {
+                let place = sources.place(origin.span);
+                format!("{}:{}", place.name, place.line_column().0)
+            }
+            None => sources.root().to_owned(),
+        };
         let times = if warning.times == 1 { String::new() } else { format!(" ({} times)", warning.times) };
         report::warning(&format!("{place}: {}{times}", warning.error));
     }

@@ -189,6 +189,17 @@ house --> nil"
 priority 2
 house --> nil"
 
+    NoImport "E0021" "a file cannot be imported"
+    "The file that an import names is not there, or is no text. Files are looked for beside the file that imports them."
+    wrong "import \"wals.grammar\"
+house --> wall
+# --- walls.grammar
+wall --> I(stone)"
+    right "import \"walls.grammar\"
+house --> wall
+# --- walls.grammar
+wall --> I(stone)"
+
     UnknownLabel "E0101" "there is no rule for a label"
     "A word on the right of an arrow that is no operation is a label: it needs a rule with that label on the left. What
 is to be placed as it is stands in `I(...)`."
@@ -301,6 +312,24 @@ house --> split(x){ half : I(stone) | ~1 : nil }"
     "Each option of a primitive has one value."
     wrong "house --> I(gable, oak, pitch = 1, pitch = 2)"
     right "house --> I(gable, oak, pitch = 2)"
+
+    ImportsClash "E0116" "imported files do not go together"
+    "Two imported files give one name a meaning, or turn their axes differently. Import one of them under a name of its own,
+or define the name in the file that imports both: its own definitions come first."
+    wrong "import \"oak.grammar\"
+import \"stone.grammar\"
+house --> wall
+# --- oak.grammar
+wall --> I(oak_planks)
+# --- stone.grammar
+wall --> I(stone)"
+    right "import \"oak.grammar\"
+import \"stone.grammar\" as stone
+house --> split(y){ 1 : stone.wall | ~1 : wall }
+# --- oak.grammar
+wall --> I(oak_planks)
+# --- stone.grammar
+wall --> I(stone)"
 
     WrongType "E0201" "a value is of the wrong kind"
     "There are numbers, axes and things to place. A size, a count, an angle or a weight is a number; `split`, `repeat` and

@@ -81,10 +81,11 @@ const SYMBOLS: [(&str, &str); 29] = [
 
 const ARROWS: [&str; 4] = ["-->", "→", "⟶", "−→"];
 
-pub fn lex(text: &str) -> Lexed {
+/// The tokens of the file that `text` holds from `start` on.
+pub fn lex(text: &str, start: usize) -> Lexed {
     let mut lexed = Lexed { tokens: Vec::new(), comments: Vec::new(), errors: Vec::new() };
-    let mut at = 0;
-    let mut line_start = 0;
+    let mut at = start;
+    let mut line_start = start;
     let mut is_line_empty = true;
     while let Some(first) = text[at..].chars().next() {
         let rest = &text[at..];
@@ -112,7 +113,8 @@ pub fn lex(text: &str) -> Lexed {
             at += length;
         }
     }
-    let span = Span::new(text.trim_end().len(), text.trim_end().len());
+    let end = text.trim_end().len().max(start);
+    let span = Span::new(end, end);
     lexed.tokens.push(Token { kind: Kind::End, span, place: Place::FirstAtMargin });
     lexed
 }

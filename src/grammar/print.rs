@@ -14,13 +14,7 @@ impl Display for Grammar {
         if !self.preamble.is_empty() {
             blocks.push(comment_lines(&self.preamble));
         }
-        let mut head = String::new();
-        if self.up == Up::Z {
-            head += "up z\n";
-        }
-        if let Some(version) = self.data_version {
-            head += &format!("data_version {version}\n");
-        }
+        let mut head = directives(self);
         self.imports.iter().for_each(|import| head += &format!("{import}\n"));
         self.sizes.iter().for_each(|size| head += &format!("{size}\n"));
         self.constants.iter().for_each(|constant| head += &format!("{constant}\n"));
@@ -44,28 +38,61 @@ impl Display for Grammar {
             }
             previous = Some(rule);
         }
+        if !self.epilogue.is_empty() {
+            blocks.push(comment_lines(&self.epilogue));
+        }
         f.write_str(&blocks.join("\n"))
     }
 }
 
-fn comment_lines(comments: &[String]) -> String {
-    comments.iter().map(|line| format!("# {line}").trim_end().to_owned() + "\n").collect()
+/// What a grammar says of all that follows.
+pub fn directives(grammar: &Grammar) -> String {
+    let mut text = String::new();
+    if grammar.up == Up::Z {
+        text += "up z\n";
+    }
+    if let Some(version) = grammar.data_version {
+        text += &format!("data_version {version}\n");
+    }
+    text
+}
+
+pub fn comment_lines(comments: &[String]) -> String {
+    comments.iter().map(|line| comment(line) + "\n").collect()
+}
+
+fn comment(line: &str) -> String {
+    format!("# {line}").trim_end().to_owned()
+}
+
+/// A comment behind something on its line, if there is one.
+struct Behind<'a>(Option<&'a String>);
+
+impl Display for Behind<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        self.0.map_or(Ok(()), |line| write!(f, " {}", comment(line)))
+    }
 }
 
 impl Display for StartSize {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let [x, y, z] = &self.size;
-        write!(f, "{}size({x}, {y}, {z}){}", comment_lines(&self.comments), Weight(&self.weight))
+        let (comments, behind) = (comment_lines(&self.comments), Behind(self.behind.as_ref()));
+        write!(f, "{comments}size({x}, {y}, {z}){}{behind}", Weight(&self.weight))
     }
 }
 
 impl Display for Constant {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let comments = comment_lines(&self.comments);
+        let (comments, behind) = (comment_lines(&self.comments), Behind(self.behind.as_ref()));
         let Some(attribute) = &self.attribute else {
-            return write!(f, "{comments}{} = {}", self.name.name, self.value);
+            let value = match self.name.name.len() + " = ".len() + self.value.to_string().len() <= WIDTH {
+                true => self.value.to_string(),
+                false => long(&self.value, ""),
+            };
+            return write!(f, "{comments}{} = {value}{behind}", self.name.name);
         };
-        write!(f, "{comments}attr {} = {}{attribute}", self.name.name, self.value)
+        write!(f, "{comments}attr {} = {}{attribute}{behind}", self.name.name, self.value)
     }
 }
 
@@ -84,7 +111,8 @@ impl Display for Attribute {
 impl Display for Import {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         write!(f, "{}import \"{}\"", comment_lines(&self.comments), self.file)?;
-        self.prefix.as_ref().map_or(Ok(()), |prefix| write!(f, " as {}", prefix.name))
+        self.prefix.as_ref().map_or(Ok(()), |prefix| write!(f, " as {}", prefix.name))?;
+        write!(f, "{}", Behind(self.behind.as_ref()))
     }
 }
 
@@ -94,26 +122,47 @@ impl Display for Style {
         for (name, value) in &self.values {
             writeln!(f, "{INDENT}{} = {value}", name.name)?;
         }
-        f.write_str("}")
+        write!(f, "}}{}", Behind(self.behind.as_ref()))
     }
 }
 
 impl Display for Rule {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let mut head = comment_lines(&self.comments);
-        let label_start = head.len();
-        head += &self.label.name;
+        let mut head = self.label.name.clone();
         if !self.params.is_empty() {
             let names: Vec<&str> = self.params.iter().map(|param| param.name.as_str()).collect();
             head += &format!("({})", names.join(", "));
         }
         if let Some(condition) = &self.condition {
-            head += &format!(" : {condition}");
+            head += &format!(" : {}", broken(condition, head.len() + 3, INDENT));
         }
         head += " --> ";
         let weight = Weight(&self.weight).to_string();
-        let column = head.len() - label_start;
-        write!(f, "{head}{}{weight}", layout(&self.successor, "", column + weight.len()))
+        let column = head.len() - head.rfind('\n').map_or(0, |at| at + 1);
+        let successor = layout(&self.successor, "", column + weight.len());
+        write!(
+            f,
+            "{}{head}{successor}{weight}{}",
+            comment_lines(&self.comments),
+            Behind(self.behind.as_ref())
+        )
+    }
+}
+
+/// A condition behind `column`, on several lines where it is too long for one: each ends with its `and` or `or`.
+fn broken(condition: &Expr, column: usize, indent: &str) -> String {
+    let flat = condition.to_string();
+    match &condition.kind {
+        ExprKind::Binary(op @ (BinaryOp::And | BinaryOp::Or), left, right)
+            if column + flat.len() + " -->".len() > WIDTH =>
+        {
+            let left = match Operand(left, op.binding()).needs_brackets() {
+                true => format!("({left})"),
+                false => broken(left, column, indent),
+            };
+            format!("{left} {}\n{indent}{}", op.symbol(), Operand(right, op.binding() + 1))
+        }
+        _ => flat,
     }
 }
 
@@ -265,33 +314,125 @@ impl<'a> Child<'a> {
         }
     }
 
+    /// Whether a comment stands in it or beside it.
+    fn is_noted(&self) -> bool {
+        match self {
+            Child::Op { body, .. } => body.notes.is_some() || is_noted(body),
+            Child::Group(children) => children.iter().any(Child::is_noted),
+        }
+    }
+
+    /// The comments beside it.
+    fn notes(&self) -> Option<&Notes> {
+        match self {
+            Child::Op { body, .. } => body.notes.as_deref(),
+            Child::Group(_) => None,
+        }
+    }
+
     fn layout(&self, indent: &str) -> String {
         match self {
             Child::Op { prefix, body } => {
                 format!("{prefix}{}", layout(body, indent, indent.len() + prefix.len() + 2))
             }
-            Child::Group(_) if self.flat().len() + indent.len() + 2 <= WIDTH => self.flat(),
-            Child::Group(children) => format!("{{{}}}*", lines(children, indent)),
+            Child::Group(_) if !self.is_noted() && self.flat().len() + indent.len() + 2 <= WIDTH => {
+                self.flat()
+            }
+            Child::Group(children) => format!("{{{}}}*", lines(children, None, indent)),
         }
     }
 }
 
+/// Whether comments stand inside an operation, which then needs lines of its own.
+fn is_noted(successor: &Successor) -> bool {
+    let inside = |notes: &Notes| notes.open.is_some() || !notes.last.is_empty();
+    let mut noted = successor.notes.as_deref().is_some_and(inside);
+    for_each_child(&successor.op, &mut |child| noted |= child.notes.is_some() || is_noted(child));
+    noted
+}
+
 /// An operation on one line where it fits behind `column`, else with each part on a line of its own.
 fn layout(successor: &Successor, indent: &str, column: usize) -> String {
-    let flat = successor.to_string();
-    if column + flat.len() <= WIDTH {
-        return flat;
-    }
-    match Layout::of(&successor.op) {
-        Layout::Leaf(text) => text,
-        Layout::Braces { head, children } => format!("{head}{{{}}}", lines(&children, indent)),
-        Layout::All(ops) => {
-            let inner = format!("{indent}{INDENT}");
-            let lines: Vec<String> =
-                ops.iter().map(|op| format!("\n{inner}{}", bracketed(op, &inner))).collect();
-            format!("[{}\n{indent}]", lines.concat())
+    if !is_noted(successor) {
+        let flat = successor.to_string();
+        if column + flat.len() <= WIDTH {
+            return flat;
         }
     }
+    let notes = successor.notes.as_deref();
+    match Layout::of(&successor.op) {
+        Layout::Leaf(text) => leaf(&successor.op, indent).unwrap_or(text),
+        Layout::Braces { head, children } => format!("{head}{{{}}}", lines(&children, notes, indent)),
+        Layout::All(ops) => {
+            let inner = format!("{indent}{INDENT}");
+            let line = |op: &Successor| {
+                let behind = Behind(op.notes.as_deref().and_then(|notes| notes.behind.as_ref()));
+                format!("{}\n{inner}{}{behind}", above(op.notes.as_deref(), &inner), bracketed(op, &inner))
+            };
+            let lines: String = ops.iter().map(line).collect();
+            format!("[{}{lines}{}\n{indent}]", open(notes), last(notes, &inner))
+        }
+    }
+}
+
+/// An operation without parts that is too long for one line: its long arguments have lines of their own.
+fn leaf(op: &Op, indent: &str) -> Option<String> {
+    let long = |expr: &Expr| long(expr, indent);
+    match op {
+        Op::Primitive { name, material, options } => {
+            let mut args = vec![long(name)];
+            args.extend(material.as_ref().map(long));
+            args.extend(options.iter().map(|(option, value)| format!("{} = {}", option.name, long(value))));
+            Some(format!("I({})", args.join(", ")))
+        }
+        Op::Call { label, args } if !args.is_empty() => {
+            let args: Vec<String> = args.iter().map(long).collect();
+            Some(format!("{}({})", label.name, args.join(", ")))
+        }
+        _ => None,
+    }
+}
+
+/// An expression in a line that is too long: a list of values that takes more than half of it gets a line for each.
+fn long(expr: &Expr, indent: &str) -> String {
+    let flat = expr.to_string();
+    if flat.len() <= WIDTH / 2 {
+        return flat;
+    }
+    let inner = format!("{indent}{INDENT}");
+    let listed = |head: &str, parts: Vec<String>| {
+        format!("{head}{{\n{inner}{}\n{indent}}}", parts.join(&format!(" |\n{inner}")))
+    };
+    let weighted = |parts: &[(Expr, Expr)]| {
+        parts.iter().map(|(weight, value)| format!("{weight} : {}", long(value, &inner))).collect()
+    };
+    match &expr.kind {
+        ExprKind::Pick(parts) => listed("pick", weighted(parts)),
+        ExprKind::Mix(parts) => listed("mix", weighted(parts)),
+        ExprKind::Gradient(axis, blocks) => {
+            listed(&format!("gradient({axis})"), blocks.iter().map(|block| long(block, &inner)).collect())
+        }
+        _ => flat,
+    }
+}
+
+/// The comment behind an opening bracket.
+fn open(notes: Option<&Notes>) -> Behind<'_> {
+    Behind(notes.and_then(|notes| notes.open.as_ref()))
+}
+
+/// The comment lines above a part, each behind its line break.
+fn above(notes: Option<&Notes>, indent: &str) -> String {
+    noted_lines(notes.map_or(&[], |notes| &notes.above), indent)
+}
+
+/// The comment lines below the last part.
+fn last(notes: Option<&Notes>, indent: &str) -> String {
+    noted_lines(notes.map_or(&[], |notes| &notes.last), indent)
+}
+
+fn noted_lines(comments: &[String], indent: &str) -> String {
+    comments.iter().map(|line| format!("\n{indent}{}", comment(line))).collect()
 }
 
 /// One of several operations that share a scope, on lines of its own.
@@ -303,11 +444,16 @@ fn bracketed(op: &Successor, indent: &str) -> String {
     }
 }
 
-fn lines(children: &[Child<'_>], indent: &str) -> String {
+/// The parts of an operation on lines of their own, with the comments beside them and those of the whole.
+fn lines(children: &[Child<'_>], notes: Option<&Notes>, indent: &str) -> String {
     let inner = format!("{indent}{INDENT}");
-    let lines: Vec<String> =
-        children.iter().map(|child| format!("\n{inner}{}", child.layout(&inner))).collect();
-    format!("{}\n{indent}", lines.join(" |"))
+    let mut text = open(notes).to_string();
+    for (number, child) in children.iter().enumerate() {
+        let bar = if number + 1 < children.len() { " |" } else { "" };
+        let behind = Behind(child.notes().and_then(|notes| notes.behind.as_ref()));
+        text += &format!("{}\n{inner}{}{bar}{behind}", above(child.notes(), &inner), child.layout(&inner));
+    }
+    text + &last(notes, &inner) + "\n" + indent
 }
 
 fn weighted(parts: &[(Expr, Expr)]) -> String {
@@ -367,14 +513,20 @@ impl Display for Expr {
 /// An operand, in brackets where it binds less tightly than its place asks.
 struct Operand<'a>(&'a Expr, u8);
 
-impl Display for Operand<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+impl Operand<'_> {
+    fn needs_brackets(&self) -> bool {
         let binding = match &self.0.kind {
             ExprKind::Binary(op, ..) => op.binding(),
             // `not` reaches as far right as it can, so it never stands bare beside an operator.
             ExprKind::Unary(UnaryOp::Not, _) => 0,
             _ => u8::MAX,
         };
-        if binding < self.1 { write!(f, "({})", self.0) } else { write!(f, "{}", self.0) }
+        binding < self.1
+    }
+}
+
+impl Display for Operand<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.needs_brackets() { write!(f, "({})", self.0) } else { write!(f, "{}", self.0) }
     }
 }

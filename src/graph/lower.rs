@@ -339,7 +339,7 @@ fn asked_labels<'g>(checked: &'g Checked, start: &'g str) -> BTreeSet<&'g str> {
     asked
 }
 
-fn resolve(expr: &ast::Expr, names: Names<'_>) -> Expr {
+pub(super) fn resolve(expr: &ast::Expr, names: Names<'_>) -> Expr {
     let inner = |expr: &ast::Expr| Box::new(resolve(expr, names));
     let weighted = |parts: &[(ast::Expr, ast::Expr)]| {
         parts.iter().map(|(weight, value)| (resolve(weight, names), resolve(value, names))).collect()
@@ -381,7 +381,11 @@ fn resolve(expr: &ast::Expr, names: Names<'_>) -> Expr {
 
 /// A block state, which may be the value of a name with other properties.
 fn block(text: &str, names: Names<'_>) -> Expr {
-    let state = || Expr::Thing(Thing::Block(text.to_owned()));
+    // A bare name is one that no constant hides.
+    let state = || match text.contains([':', '[']) {
+        true => Expr::Thing(Thing::Block(text.to_owned())),
+        false => Expr::name(text),
+    };
     let Some((name, properties)) = text.split_once('[') else { return state() };
     let named = match names.resolve(name) {
         Name::Param(at) => Expr::Param(at),

@@ -8,6 +8,7 @@ mod expr;
 mod lower;
 mod op;
 mod raise;
+mod settings;
 mod unify;
 
 pub use build::Builder;
@@ -19,4 +20,5 @@ pub use op::{
 };
 pub use petgraph::graph::NodeIndex;
 pub use raise::raise;
+pub use settings::BadSetting;
 pub use unify::Renumbered;

@@ -20,9 +20,11 @@ pub fn raise(graph: &OpGraph) -> Grammar {
         data_version: graph.data_version,
         sizes: graph.sizes.iter().map(|size| raising.start_size(size)).collect(),
         imports: Vec::new(),
-        constants: graph.constants.iter().map(|known| raising.constant(known)).collect(),
+        constants: raised_constants(graph),
         styles: graph.styles.iter().map(|style| raising.style(style)).collect(),
         rules: Vec::new(),
+        imported: BTreeSet::new(),
+        epilogue: Vec::new(),
     };
     raising.label(graph.root, 0);
     while let Some((node, arity)) = raising.open.pop_front() {
@@ -91,6 +93,7 @@ impl<'g> Raising<'g> {
         let idents: Vec<Ident> = params.iter().map(Ident::new).collect();
         let mut rule = |condition, successor, weight, priority| Rule {
             comments: std::mem::take(&mut comments),
+            behind: None,
             label: label.clone(),
             params: idents.clone(),
             condition,
@@ -274,30 +277,47 @@ impl<'g> Raising<'g> {
         let is_plain = start.weight == Expr::number(1.0);
         StartSize {
             comments: Vec::new(),
+            behind: None,
             size: [&start.size[0], &start.size[1], &start.size[2]].map(|length| self.expr(length, &[])),
             weight: (!is_plain).then(|| self.expr(&start.weight, &[])),
             span: Default::default(),
         }
     }
 
-    fn constant(&self, known: &super::Constant) -> Constant {
-        let attribute = known.attribute.as_ref().map(|attribute| ast::Attribute {
-            range: attribute.range.as_ref().map(|[low, high]| [self.expr(low, &[]), self.expr(high, &[])]),
-            group: attribute.group.clone(),
-            about: attribute.about.clone(),
-        });
-        let name = Ident::new(&known.name);
-        Constant { comments: Vec::new(), name, value: self.expr(&known.value, &[]), attribute }
-    }
-
     fn style(&self, style: &super::Style) -> ast::Style {
         let name_of = |at: usize| Ident::new(self.graph.constants.get(at).map_or("", |known| &known.name));
         let values = style.values.iter().map(|(at, value)| (name_of(*at), self.expr(value, &[])));
-        ast::Style { comments: Vec::new(), name: Ident::new(&style.name), values: values.collect() }
+        ast::Style {
+            comments: Vec::new(),
+            behind: None,
+            name: Ident::new(&style.name),
+            values: values.collect(),
+        }
     }
 
     fn expr(&self, expr: &Expr, params: &[String]) -> ast::Expr {
         raise_expr(self.graph, expr, params)
+    }
+}
+
+/// The constants of a graph as a grammar has them.
+pub(super) fn raised_constants(graph: &OpGraph) -> Vec<Constant> {
+    graph.constants.iter().map(|known| constant(graph, known)).collect()
+}
+
+fn constant(graph: &OpGraph, known: &super::Constant) -> Constant {
+    let expr = |expr: &Expr| raise_expr(graph, expr, &[]);
+    let attribute = known.attribute.as_ref().map(|attribute| ast::Attribute {
+        range: attribute.range.as_ref().map(|[low, high]| [expr(low), expr(high)]),
+        group: attribute.group.clone(),
+        about: attribute.about.clone(),
+    });
+    Constant {
+        comments: Vec::new(),
+        behind: None,
+        name: Ident::new(&known.name),
+        value: expr(&known.value),
+        attribute,
     }
 }
 

@@ -48,7 +48,7 @@ impl<'l, 'g> Brushes<'l, 'g> {
     }
 
     /// Puts a primitive into the grid. Its scope lies inside; what reaches out of it is cut off at the grid's ends.
-    pub fn place(&mut self, grid: &mut Grid, placement: Placement<'g>) -> Result<(), Kind> {
+    pub fn place(&mut self, grid: &mut Grid, placement: &Placement<'g>) -> Result<(), Kind> {
         let number = self.number(placement.name, placement.material)?;
         let scope = &placement.scope;
         let footprint = placement.footprint.as_deref();

@@ -10,6 +10,7 @@ use super::place::Place;
 use super::rhythm::written_out;
 use super::rounds::{needs_rounds, rounds};
 use super::start::weighted;
+use super::trail::{Observer, Step as Taken, Trail};
 use super::{Options, Overrun};
 use crate::grammar::ast::{Carving, SizeKind, Snap};
 use crate::graph::{Alternative, Arg, Expr, Group, NodeIndex, Op, OpGraph, Size, Thing};
@@ -37,6 +38,8 @@ pub struct Placement<'g> {
     pub scope: Scope,
     /// The part of the plan that is there, inside the scope; `None` is all of it.
     pub footprint: Option<Rc<Footprint>>,
+    /// What led here, if it is observed.
+    pub trail: Trail,
 }
 
 /// How far from the origin a scope may reach, in blocks: twice as far is still a coordinate.
@@ -47,14 +50,16 @@ pub type Sink<'s, 'g> = dyn FnMut(Placement<'g>) -> Result<(), Kind> + 's;
 
 /// Derives `graph` on `start` and hands every primitive to `sink`, in the order of the text: where scopes
 /// overlap, later ones overwrite earlier ones. Scopes of no volume are skipped.
-pub fn derive<'g>(
+pub fn derive<'o, 'g>(
     graph: &'g OpGraph,
     things: &'g Things,
     start: Scope,
     options: &Options,
+    observer: Option<&'o mut (dyn Observer + 'o)>,
     sink: &mut Sink<'_, 'g>,
 ) -> Result<Vec<Warning>, RunError> {
     let (mut derivation, root) = begin(graph, things, start, options, sink)?;
+    derivation.observer = observer;
     match derivation.known {
         None => derivation.stream(root)?,
         Some(_) => rounds(&mut derivation, root, &mut |_| {})?,
@@ -63,25 +68,28 @@ pub fn derive<'g>(
 }
 
 /// A derivation before its first step.
-pub fn begin<'a, 's, 'g>(
+pub fn begin<'a, 'o, 's, 'g>(
     graph: &'g OpGraph,
     things: &'g Things,
     start: Scope,
     options: &'a Options,
     sink: &'a mut Sink<'s, 'g>,
-) -> Result<(Derivation<'a, 's, 'g>, Task<'g>), RunError> {
+) -> Result<(Derivation<'a, 'o, 's, 'g>, Task<'g>), RunError> {
     let root = Task {
         node: graph.root(),
         site: Site { scope: start, index: 0, total: 1 },
         around: Rc::new(Around::start(options.seed)),
         place: Place::start(options.seed),
         depth: 0,
+        number: 0,
+        trail: Trail::default(),
     };
     let derivation = Derivation {
         graph,
         world: World::new(graph, things, options.seed).map_err(RunError::anywhere)?,
         options,
         plot: start.bounds,
+        observer: None,
         sink,
         stack: Vec::new(),
         placed: None,
@@ -93,12 +101,16 @@ pub fn begin<'a, 's, 'g>(
 }
 
 /// An operation that is still to run, and where.
+#[derive(Clone)]
 pub struct Task<'g> {
     pub node: NodeIndex,
     site: Site,
     around: Rc<Around<'g>>,
     place: Place,
     depth: u32,
+    /// Which child of the operation before it this is, and the operations that led here, if they are observed.
+    number: u32,
+    pub trail: Trail,
 }
 
 impl<'g> Task<'g> {
@@ -129,6 +141,8 @@ impl<'g> Task<'g> {
             around: self.around.clone(),
             place: self.place.child(number),
             depth: self.depth + 1,
+            number: number as u32,
+            trail: self.trail.clone(),
         }
     }
 
@@ -141,11 +155,12 @@ impl<'g> Task<'g> {
 
 /// What steps share. A step leaves the children of its operation on the stack. What it places goes to the sink, or in
 /// rounds beside the stack: there it has to wait for what comes before it in the text.
-pub struct Derivation<'a, 's, 'g> {
+pub struct Derivation<'a, 'o, 's, 'g> {
     pub graph: &'g OpGraph,
     pub world: World<'g>,
     pub options: &'a Options,
     pub plot: Bounds,
+    pub observer: Option<&'o mut (dyn Observer + 'o)>,
     sink: &'a mut Sink<'s, 'g>,
     /// The last task is the next to run: children are pushed in reverse.
     pub stack: Vec<Task<'g>>,
@@ -158,15 +173,25 @@ pub struct Derivation<'a, 's, 'g> {
 
 type Step = Result<(), Kind>;
 
-impl<'g> Derivation<'_, '_, 'g> {
+impl<'g> Derivation<'_, '_, '_, 'g> {
     /// Derives depth first: nothing is kept but what is still to run.
     fn stream(&mut self, root: Task<'g>) -> Result<(), RunError> {
         let graph = self.graph;
         self.stack.push(root);
-        while let Some(task) = self.stack.pop() {
+        while let Some(mut task) = self.stack.pop() {
+            self.observe(&mut task);
             self.step(&task).map_err(|kind| RunError::at(graph, task.node, kind))?;
         }
         Ok(())
+    }
+
+    /// Shows an operation to who looks on.
+    pub fn observe(&mut self, task: &mut Task<'g>) {
+        if let Some(observer) = &mut self.observer {
+            let Task { node, number, site: Site { scope, .. }, .. } = *task;
+            task.trail =
+                observer.step(Taken { node, number, scope, before: std::mem::take(&mut task.trail) });
+        }
     }
 
     fn told(self) -> Vec<Warning> {
@@ -310,7 +335,8 @@ impl<'g> Derivation<'_, '_, 'g> {
         let scope = self.inside(task)?;
         let body = Body::within(scope, task.around.footprint.as_ref()).filter(|body| !body.scope.is_empty());
         let Some(Body { scope, footprint }) = body else { return Ok(()) };
-        let placement = Placement { name, material, options: values, scope, footprint };
+        let placement =
+            Placement { name, material, options: values, scope, footprint, trail: task.trail.clone() };
         match self.known {
             None => self.hand_on(task.node, placement),
             Some(_) => {
@@ -351,7 +377,7 @@ impl<'g> Derivation<'_, '_, 'g> {
         match &task.around.footprint {
             Some(footprint) if shift != Spot::ZERO => {
                 let footprint = Some(Rc::new(footprint.moved(shift)));
-                let task = Task { site: Site { scope, ..task.site }, around: task.around.clone(), ..*task };
+                let task = Task { site: Site { scope, ..task.site }, ..task.clone() };
                 self.around(&task, Around { footprint, ..(*task.around).clone() })
             }
             _ => self.only(task, scope),

@@ -1,6 +1,6 @@
 use super::settings;
-use crate::grammar::ast::Carving;
 use crate::grammar::Code;
+use crate::grammar::ast::Carving;
 use crate::graph::{NodeIndex, OpGraph, Origin};
 use crate::space::{Cell, Misfit};
 use std::fmt;
@@ -16,19 +16,48 @@ pub struct RunError {
 #[derive(Clone, PartialEq, Debug)]
 pub enum Kind {
     NoSize,
-    Size { size: Cell, limit: u64 },
-    Misfit { misfit: Misfit, axis: String },
-    NoRule { scope: Cell },
+    Size {
+        size: Cell,
+        limit: u64,
+    },
+    Misfit {
+        misfit: Misfit,
+        axis: String,
+    },
+    NoRule {
+        scope: Cell,
+    },
     Weight(f64),
-    Type { expected: &'static str, found: String },
+    Type {
+        expected: &'static str,
+        found: String,
+    },
     NotANumber,
-    Step { what: &'static str, value: f64 },
-    Width { how: Carving, width: f64 },
+    /// A constant with a range has a value outside of it.
+    OutOfRange {
+        name: String,
+        value: f64,
+        range: [f64; 2],
+    },
+    Step {
+        what: &'static str,
+        value: f64,
+    },
+    Width {
+        how: Carving,
+        width: f64,
+    },
     NoOption(String),
     OptionOfNothing(String),
-    Option { name: String, expected: &'static str, found: String },
+    Option {
+        name: String,
+        expected: &'static str,
+        found: String,
+    },
     Angle(f64),
-    NotVertical { up: String },
+    NotVertical {
+        up: String,
+    },
     Rhythm,
     OutsidePlot,
     TooDeep(u32),
@@ -53,8 +82,9 @@ impl Kind {
             Kind::Weight(_) => Code::BadWeight,
             Kind::Type { .. } => Code::WrongType,
             Kind::NotANumber => Code::NoValue,
+            Kind::OutOfRange { .. } => Code::OutOfRange,
             Kind::Step { .. } | Kind::Width { .. } => Code::BadStep,
-            Kind::NoOption(_) | Kind::OptionOfNothing(_) => Code::UnknownName,
+            Kind::NoOption(_) | Kind::OptionOfNothing(_) => Code::UnknownOption,
             Kind::Option { .. } => Code::WrongType,
             Kind::Angle(_) => Code::BadAngle,
             Kind::NotVertical { .. } => Code::FlatTurn,
@@ -153,6 +183,9 @@ impl fmt::Display for Kind {
             Kind::Type { expected, found } => write!(f, "expected {expected}, found {found}"),
             Kind::NotANumber => {
                 write!(f, "an expression has no value: it divides by zero or grows without bound")
+            }
+            Kind::OutOfRange { name, value, range: [low, high] } => {
+                write!(f, "`{name}` is {value}, and its range is from {low} to {high}")
             }
             Kind::Step { what, value } => write!(f, "the {what} of a repeat is {value}, which is too little"),
             Kind::Width { how, width } => write!(

@@ -73,7 +73,23 @@ impl<'g> World<'g> {
         });
         let place = Place::start(self.seed).named(&constant.name);
         let around = Around { style, ..Around::start(self.seed) };
-        Ok(Env::new(self, &around, None, place).value(styled.unwrap_or(&constant.value))?)
+        let mut env = Env::new(self, &around, None, place);
+        let value = env.value(styled.unwrap_or(&constant.value))?;
+        if let Some([low, high]) = constant.attribute.as_ref().and_then(|attribute| attribute.range.as_ref())
+        {
+            in_range(&constant.name, value, [env.number(low)?, env.number(high)?])?;
+        }
+        Ok(value)
+    }
+}
+
+fn in_range(name: &str, value: Value<'_>, range: [f64; 2]) -> Result<(), Kind> {
+    match value {
+        Value::Number(value) if range[0] <= value && value <= range[1] => Ok(()),
+        Value::Number(value) => Err(Kind::OutOfRange { name: name.to_owned(), value, range }),
+        other => {
+            Err(Kind::Type { expected: "a number, as the attribute has a range", found: other.describe() })
+        }
     }
 }
 

@@ -16,6 +16,8 @@ mod rounds;
 mod settings;
 mod solid;
 mod start;
+mod trail;
+mod why;
 
 use crate::graph::OpGraph;
 use crate::grid::{Grid, LabelledBox};
@@ -27,6 +29,8 @@ pub use derive::{Placement, derive};
 pub use error::{Kind, RunError, Warning};
 pub use eval::{Things, Value};
 pub use start::start_size;
+pub use trail::{Labels, Observer, Step, Trail};
+pub use why::{Cause, Why, why};
 
 /// What to do where sizes do not fit their scope.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -80,12 +84,23 @@ pub struct Made<T> {
 /// Runs a graph and fills a grid of the start scope's size. What blocks leave open their neighbours decide, once
 /// all stand.
 pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made<Grid>, RunError> {
+    run_observed(graph, library, options, None)
+}
+
+/// As [`run`], with someone who looks on.
+pub fn run_observed(
+    graph: &OpGraph,
+    library: &Library,
+    options: &Options,
+    observer: Option<&mut dyn Observer>,
+) -> Result<Made<Grid>, RunError> {
     let scope = start_scope(graph, options)?;
     let mut grid = Grid::new(scope.bounds.size());
     let things = Things::default();
     let mut brushes = brush::Brushes::new(library, options.seed);
-    let warnings =
-        derive(graph, &things, scope, options, &mut |placement| brushes.place(&mut grid, placement))?;
+    let warnings = derive(graph, &things, scope, options, observer, &mut |placement| {
+        brushes.place(&mut grid, &placement)
+    })?;
     grid.metadata.data_version = graph.data_version;
     settle(&mut grid).map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
     Ok(Made { made: grid, warnings })
@@ -94,10 +109,19 @@ pub fn run(graph: &OpGraph, library: &Library, options: &Options) -> Result<Made
 /// Runs a graph and lists its primitives as labelled boxes in the world's axes, in the order placed. A
 /// primitive that is turned carries its angle in degrees: `corner@90`.
 pub fn run_boxes(graph: &OpGraph, options: &Options) -> Result<Made<Vec<LabelledBox>>, RunError> {
+    run_boxes_observed(graph, options, None)
+}
+
+/// As [`run_boxes`], with someone who looks on.
+pub fn run_boxes_observed(
+    graph: &OpGraph,
+    options: &Options,
+    observer: Option<&mut dyn Observer>,
+) -> Result<Made<Vec<LabelledBox>>, RunError> {
     let scope = start_scope(graph, options)?;
     let mut boxes = Vec::new();
     let things = Things::default();
-    let warnings = derive(graph, &things, scope, options, &mut |placement| {
+    let warnings = derive(graph, &things, scope, options, observer, &mut |placement| {
         let degrees = 90 * u32::from(placement.scope.frame.turn.count());
         let name = placement.name.text();
         let label = if degrees == 0 { name.to_owned() } else { format!("{name}@{degrees}") };

@@ -37,7 +37,7 @@ fn asks(graph: &OpGraph, node: NodeIndex) -> bool {
 
 /// Derives in rounds. `arrange` may put the operations of a round into any order.
 pub fn rounds<'g>(
-    derivation: &mut Derivation<'_, '_, 'g>,
+    derivation: &mut Derivation<'_, '_, '_, 'g>,
     root: Task<'g>,
     arrange: &mut dyn FnMut(&mut [Pending<'g>]),
 ) -> Result<(), RunError> {
@@ -96,8 +96,8 @@ enum Asking {
     Others,
 }
 
-struct Rounds<'r, 'a, 's, 'g> {
-    derivation: &'r mut Derivation<'a, 's, 'g>,
+struct Rounds<'r, 'a, 'o, 's, 'g> {
+    derivation: &'r mut Derivation<'a, 'o, 's, 'g>,
     /// Whether a node asks, by its index.
     asks: Vec<bool>,
     /// By level, those that ask nothing first. What has no rules to wait for is at level 0.
@@ -107,7 +107,7 @@ struct Rounds<'r, 'a, 's, 'g> {
     kept: Vec<(NodeIndex, Placement<'g>)>,
 }
 
-impl<'g> Rounds<'_, '_, '_, 'g> {
+impl<'g> Rounds<'_, '_, '_, '_, 'g> {
     fn known(&mut self, change: impl FnOnce(&mut Known<'g>)) {
         if let Some(known) = &mut self.derivation.known {
             change(known);
@@ -119,8 +119,10 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
         graph.op(task.node)
     }
 
-    fn step(&mut self, pending: Pending<'g>) -> Result<(), Kind> {
+    fn step(&mut self, mut pending: Pending<'g>) -> Result<(), Kind> {
         self.known(|known| known.asker = pending.standing.shape());
+        let before = pending.task.trail.clone();
+        self.derivation.observe(&mut pending.task);
         match self.op(&pending.task) {
             Op::Choose => {
                 self.derivation.count(&pending.task)?;
@@ -128,6 +130,8 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
                 if detail.is_some_and(|detail| pending.level > detail) {
                     self.derivation.placed = self.mass(&pending.task);
                 } else if !self.derivation.choose_at(&pending.task, pending.level)? {
+                    // It waits on, as if it had not been looked at.
+                    pending.task.trail = before;
                     return self.next_level(pending);
                 }
             }
@@ -214,7 +218,8 @@ impl<'g> Rounds<'_, '_, '_, 'g> {
     fn mass(&self, task: &Task<'g>) -> Option<Placement<'g>> {
         let Body { scope, footprint } = task.body_within(self.derivation.plot)?;
         let name = self.derivation.world.keep(Thing::Name(MASS.to_owned()));
-        Some(Placement { name, material: None, options: SmallVec::new(), scope, footprint })
+        let trail = task.trail.clone();
+        Some(Placement { name, material: None, options: SmallVec::new(), scope, footprint, trail })
     }
 
     /// Hands on what was placed, in the order of the text.

@@ -64,6 +64,7 @@ fn grammar((labels, up): (Labels, Up)) -> impl Strategy<Value = Grammar> {
         constants,
         styles: vec![Style {
             comments: Vec::new(),
+            behind: None,
             name: Ident::new("other"),
             values: vec![(Ident::new("p0"), Expr::number(7.0))],
         }],
@@ -75,6 +76,7 @@ fn grammar((labels, up): (Labels, Up)) -> impl Strategy<Value = Grammar> {
 fn start_size() -> impl Strategy<Value = StartSize> {
     ([1..9u32, 1..9, 1..9], of(1..4u32)).prop_map(|(size, weight)| StartSize {
         comments: Vec::new(),
+        behind: None,
         size: size.map(|length| Expr::number(length.into())),
         weight: weight.map(|weight| Expr::number(weight.into())),
         span: Default::default(),
@@ -86,6 +88,7 @@ fn constants() -> impl Strategy<Value = Vec<Constant>> {
     let named = |name: &'static str, value: BoxedStrategy<Expr>| {
         value.prop_map(move |value| Constant {
             comments: Vec::new(),
+            behind: None,
             name: Ident::new(name),
             value,
             attribute: None,
@@ -111,6 +114,7 @@ fn rule(at: usize, scope: Scope) -> impl Strategy<Value = Rule> {
         move |(condition, successor, weight, priority)| Rule {
             priority,
             comments: Vec::new(),
+            behind: None,
             label: label(at),
             params: params.clone(),
             condition,

@@ -80,13 +80,14 @@ pub fn grammars() -> impl Strategy<Value = Grammar> {
     let names = (vec(import(), 0..2), vec(style(), 0..2));
     (head, names, vec(rule(), 1..6)).prop_map(|(head, (imports, styles), rules)| {
         let (preamble, up, data_version, sizes, constants) = head;
-        Grammar { preamble, up, data_version, imports, sizes, constants, styles, rules }
+        Grammar { preamble, up, data_version, imports, sizes, constants, styles, rules, ..Grammar::default() }
     })
 }
 
 fn import() -> impl Strategy<Value = Import> {
     (comments(), text(), of(ident())).prop_map(|(comments, file, prefix)| Import {
         comments,
+        behind: None,
         file,
         prefix,
         span: Default::default(),
@@ -96,6 +97,7 @@ fn import() -> impl Strategy<Value = Import> {
 fn style() -> impl Strategy<Value = Style> {
     (comments(), ident(), vec((ident(), argument()), 0..3)).prop_map(|(comments, name, values)| Style {
         comments,
+        behind: None,
         name,
         values,
     })
@@ -114,6 +116,7 @@ fn comments() -> impl Strategy<Value = Vec<String>> {
 fn start_size() -> impl Strategy<Value = StartSize> {
     (comments(), [expr(), expr(), expr()], of(expr())).prop_map(|(comments, size, weight)| StartSize {
         comments,
+        behind: None,
         size,
         weight,
         span: Default::default(),
@@ -121,8 +124,9 @@ fn start_size() -> impl Strategy<Value = StartSize> {
 }
 
 fn constant() -> impl Strategy<Value = Constant> {
-    (comments(), ident(), argument(), of(attribute()))
-        .prop_map(|(comments, name, value, attribute)| Constant { comments, name, value, attribute })
+    (comments(), ident(), argument(), of(attribute())).prop_map(|(comments, name, value, attribute)| {
+        Constant { comments, behind: None, name, value, attribute }
+    })
 }
 
 fn attribute() -> impl Strategy<Value = Attribute> {
@@ -138,6 +142,7 @@ fn rule() -> impl Strategy<Value = Rule> {
         |(comments, label, params, condition, successor, weight, priority)| Rule {
             priority,
             comments,
+            behind: None,
             label,
             params,
             condition,

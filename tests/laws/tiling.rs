@@ -75,6 +75,7 @@ fn one_rule(successor: Successor) -> Grammar {
 fn rule(label: &str, successor: Successor) -> Rule {
     Rule {
         comments: Vec::new(),
+        behind: None,
         label: Ident::new(label),
         params: Vec::new(),
         condition: None,

@@ -26,7 +26,8 @@ pub enum ExprKind {
     Number(f64),
     /// A parameter, constant, axis, block or primitive, told apart by what is in scope.
     Name(String),
-    /// A block state with its namespace or properties: `oak_stairs[facing=east]`.
+    /// A block state with its namespace or properties: `oak_stairs[facing=east]`. A bare name is one that no constant
+    /// hides: those of imported files do not see the constants of others.
     Block(String),
     /// A file in quotes.
     File(String),

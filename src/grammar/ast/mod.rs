@@ -2,16 +2,19 @@
 
 mod carving;
 mod expr;
+mod notes;
 mod op;
 mod visit;
 
 use super::Span;
 use crate::space::Up;
+use std::collections::BTreeSet;
 
 pub use carving::{Carving, Face, Selector};
 pub use expr::{Against, BinaryOp, Expr, ExprKind, Function, Share, UnaryOp};
+pub use notes::Notes;
 pub use op::{Change, Item, Op, Size, SizeKind, Snap, Successor};
-pub use visit::{for_each_call, for_each_child, for_each_expr, for_each_expr_of_rule};
+pub use visit::{for_each_call, for_each_child, for_each_child_mut, for_each_expr, for_each_expr_of_rule};
 
 /// A whole grammar file.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -26,12 +29,18 @@ pub struct Grammar {
     pub constants: Vec<Constant>,
     pub styles: Vec<Style>,
     pub rules: Vec<Rule>,
+    /// Labels whose rules come from imports: not all of them need to be used.
+    pub imported: BTreeSet<String>,
+    /// Comment lines at the end of the file.
+    pub epilogue: Vec<String>,
 }
 
 /// `import "walls.grammar" as walls`: another file's constants and rules.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Import {
     pub comments: Vec<String>,
+    /// The comment behind it on its last line.
+    pub behind: Option<String>,
     pub file: String,
     /// What its names begin with here: `walls.brick`.
     pub prefix: Option<Ident>,
@@ -42,6 +51,8 @@ pub struct Import {
 #[derive(Clone, PartialEq, Debug)]
 pub struct StartSize {
     pub comments: Vec<String>,
+    /// The comment behind it on its last line.
+    pub behind: Option<String>,
     pub size: [Expr; 3],
     pub weight: Option<Expr>,
     pub span: Span,
@@ -51,6 +62,8 @@ pub struct StartSize {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Constant {
     pub comments: Vec<String>,
+    /// The comment behind it on its last line.
+    pub behind: Option<String>,
     pub name: Ident,
     pub value: Expr,
     /// What `attr` tells about it, if it is one that a run may set.
@@ -69,6 +82,8 @@ pub struct Attribute {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Style {
     pub comments: Vec<String>,
+    /// The comment behind it on its last line.
+    pub behind: Option<String>,
     pub name: Ident,
     pub values: Vec<(Ident, Expr)>,
 }
@@ -76,8 +91,10 @@ pub struct Style {
 /// `label(params) : condition --> successor : weight`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rule {
-    /// The comment lines above the rule.
+    /// The comment lines above.
     pub comments: Vec<String>,
+    /// The comment behind it on its last line.
+    pub behind: Option<String>,
     pub label: Ident,
     pub params: Vec<Ident>,
     pub condition: Option<Expr>,

@@ -1,4 +1,4 @@
-use super::{Carving, Expr, Ident, Selector};
+use super::{Carving, Expr, Ident, Notes, Selector};
 use crate::grammar::Span;
 
 /// What a rule does with its scope.
@@ -6,11 +6,22 @@ use crate::grammar::Span;
 pub struct Successor {
     pub op: Op,
     pub span: Span,
+    /// The comments beside it, if there are any.
+    pub notes: Option<Box<Notes>>,
 }
 
 impl Successor {
     pub fn new(op: Op) -> Successor {
-        Successor { op, span: Span::default() }
+        Successor::at(op, Span::default())
+    }
+
+    pub fn at(op: Op, span: Span) -> Successor {
+        Successor { op, span, notes: None }
+    }
+
+    /// Its comments, to add some.
+    pub fn notes_mut(&mut self) -> &mut Notes {
+        self.notes.get_or_insert_default()
     }
 }
 

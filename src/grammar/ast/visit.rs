@@ -20,6 +20,24 @@ fn item_children<'g>(item: &'g Item, visit: &mut impl FnMut(&'g Successor)) {
     }
 }
 
+/// As [`for_each_child`], to change them.
+pub fn for_each_child_mut<'g>(op: &'g mut Op, visit: &mut impl FnMut(&'g mut Successor)) {
+    match op {
+        Op::Primitive { .. } | Op::Nil | Op::Call { .. } | Op::Snap { .. } => {}
+        Op::All(ops) => ops.iter_mut().for_each(visit),
+        Op::Split { items, .. } => items.iter_mut().for_each(|item| item_children_mut(item, visit)),
+        Op::Repeat { body, .. } | Op::RepeatN { body, .. } | Op::Within { body, .. } => visit(body),
+        Op::Carve { parts, .. } => parts.iter_mut().for_each(|(_, body)| visit(body)),
+    }
+}
+
+fn item_children_mut<'g>(item: &'g mut Item, visit: &mut impl FnMut(&'g mut Successor)) {
+    match item {
+        Item::Part { body, .. } => visit(body),
+        Item::Group { items, .. } => items.iter_mut().for_each(|item| item_children_mut(item, visit)),
+    }
+}
+
 /// Visits the expressions of an operation itself, without those of the operations in it.
 pub fn for_each_own_expr<'g>(op: &'g Op, visit: &mut impl FnMut(&'g Expr)) {
     match op {

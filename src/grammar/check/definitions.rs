@@ -52,7 +52,7 @@ impl Checker<'_> {
         }
     }
 
-    fn constant_value(&mut self, value: &Expr, at: usize) {
+    pub(super) fn constant_value(&mut self, value: &Expr, at: usize) {
         let grammar = self.grammar;
         let names = Names { params: &[], constants: &grammar.constants };
         for_each_expr(value, &mut |expr| match &expr.kind {

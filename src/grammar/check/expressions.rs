@@ -153,6 +153,9 @@ impl Checker<'_> {
 
     fn block(&mut self, text: &str, span: Span, expected: Expected) {
         self.is_of(Expected::Thing, expected, span, "a block");
+        if is_thing(text) {
+            return;
+        }
         let state = match text.parse::<BlockState>() {
             Ok(state) => state,
             Err(error) => {
@@ -173,7 +176,7 @@ impl Checker<'_> {
 }
 
 /// The type that a constant's own text shows; `Any` where it depends on what it is used for.
-fn constant_type(value: &Expr) -> Expected {
+pub(super) fn constant_type(value: &Expr) -> Expected {
     match &value.kind {
         ExprKind::Name(_) | ExprKind::Pick(_) | ExprKind::Same(..) => Expected::Any,
         ExprKind::Block(_) | ExprKind::File(_) | ExprKind::Mix(_) | ExprKind::Gradient(..) => Expected::Thing,

@@ -62,7 +62,7 @@ impl<'g> Checker<'g> {
         let mut told = BTreeSet::new();
         for rule in &self.grammar.rules {
             let label = rule.label.name.as_str();
-            if !reached.contains(label) && told.insert(label) {
+            if !reached.contains(label) && !self.grammar.imported.contains(label) && told.insert(label) {
                 let message = format!("`{label}` cannot be reached from `{}`", first.label.name);
                 let hint = "call it, delete it, or start from it with `--start`".to_owned();
                 self.tell(Code::Unreachable, rule.label.span, message, "never runs", hint);

@@ -15,13 +15,17 @@ mod recursion;
 mod rules;
 mod snapping;
 mod usage;
+mod value;
 mod weights;
 
 use super::ast::*;
-use super::parse::{Parsed, parse_items};
+use super::load::load;
+use super::parse::no_rule;
 use super::{Code, Diagnostic, Span};
 use flow::Flow;
 use std::collections::{BTreeMap, BTreeSet};
+
+pub use value::value;
 
 /// A grammar without errors: every label has rules, every name a meaning, every call the right arity.
 #[derive(Clone, Debug)]
@@ -53,14 +57,25 @@ impl Checked {
     }
 }
 
-/// Parses and checks the text of a grammar. Every error is reported, with the warnings, in the order of their
-/// places; an error in one rule does not hide those in others.
+/// Parses and checks the text of a grammar that imports nothing. Every error is reported, with the warnings, in the order
+/// of their places; an error in one rule does not hide those in others.
 pub fn read(text: &str) -> Result<Checked, Vec<Diagnostic>> {
-    let Parsed { grammar, mut errors, broken } = parse_items(text);
+    load("", text, &mut |_| Err("this text stands alone".to_owned())).checked
+}
+
+/// Checks what could be read of a grammar that lacks the items which define the names in `broken`.
+pub fn judge(
+    grammar: Grammar,
+    mut errors: Vec<Diagnostic>,
+    broken: &BTreeSet<String>,
+) -> Result<Checked, Vec<Diagnostic>> {
+    if errors.is_empty() && grammar.rules.is_empty() {
+        return Err(vec![no_rule()]);
+    }
     if errors.is_empty() {
         return check(grammar);
     }
-    let found = findings(&grammar, &broken);
+    let found = findings(&grammar, broken);
     errors.extend(found.into_iter().filter(Diagnostic::is_error));
     errors.sort_by_key(|finding| finding.span.start);
     Err(errors)
@@ -107,6 +122,11 @@ fn places(grammar: &Grammar) -> BTreeMap<String, Vec<usize>> {
 /// Whether a name is a word of the language, which nothing else can be called.
 pub fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
+}
+
+/// Every word that nothing else can be called.
+pub fn reserved() -> impl Iterator<Item = &'static str> {
+    RESERVED.into_iter()
 }
 
 const RESERVED: [&str; 44] = [

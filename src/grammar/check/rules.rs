@@ -136,7 +136,8 @@ impl<'g> Checker<'g> {
         self.expr(material, params, Expected::Thing);
         let is_other = match &name.kind {
             ExprKind::Name(text) if params.iter().all(|param| param.name != *text) => !is_primitive(text),
-            ExprKind::Block(_) | ExprKind::File(_) => true,
+            ExprKind::Block(text) => !is_primitive(text),
+            ExprKind::File(_) => true,
             _ => false,
         };
         if is_other {

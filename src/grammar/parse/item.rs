@@ -43,13 +43,13 @@ impl Parser<'_> {
             self.expect("=", "and what it is unless a run sets it")?;
             let value = self.argument()?;
             let attribute = Some(self.attribute()?);
-            grammar.constants.push(Constant { comments, name, value, attribute });
+            grammar.constants.push(Constant { comments, behind: None, name, value, attribute });
             return Ok(());
         }
         let name = self.ident("a rule or a constant")?;
         if self.accept("=").is_some() {
             let value = self.argument()?;
-            grammar.constants.push(Constant { comments, name, value, attribute: None });
+            grammar.constants.push(Constant { comments, behind: None, name, value, attribute: None });
         } else {
             grammar.rules.push(self.rule(name, comments)?);
         }
@@ -98,7 +98,13 @@ impl Parser<'_> {
             false => None,
         };
         let span = start.to(Span::new(0, self.previous_end()));
-        Ok(Import { comments, file: self.word(file).trim_matches('"').to_owned(), prefix, span })
+        Ok(Import {
+            comments,
+            behind: None,
+            file: self.word(file).trim_matches('"').to_owned(),
+            prefix,
+            span,
+        })
     }
 
     fn style(&mut self, comments: Vec<String>) -> Parse<Style> {
@@ -116,7 +122,7 @@ impl Parser<'_> {
             values.push((constant, self.argument()?));
             let _ = self.accept(",");
         }
-        Ok(Style { comments, name, values })
+        Ok(Style { comments, behind: None, name, values })
     }
 
     /// What may follow the value of an attribute, each once at the most.
@@ -189,7 +195,7 @@ impl Parser<'_> {
         let size = self.three(|parser| parser.expr())?;
         let end = self.expect(")", "after the three lengths")?;
         let weight = self.weight()?;
-        Ok(StartSize { comments, size, weight, span: keyword.span.to(end.span) })
+        Ok(StartSize { comments, behind: None, size, weight, span: keyword.span.to(end.span) })
     }
 
     pub(super) fn rule(&mut self, label: Ident, comments: Vec<String>) -> Parse<Rule> {
@@ -213,7 +219,16 @@ impl Parser<'_> {
         self.next();
         let successor = self.successor()?;
         let weight = self.weight()?;
-        Ok(Rule { comments, label, params, condition, successor, weight, priority: self.priority })
+        Ok(Rule {
+            comments,
+            behind: None,
+            label,
+            params,
+            condition,
+            successor,
+            weight,
+            priority: self.priority,
+        })
     }
 
     pub(super) fn weight(&mut self) -> Parse<Option<Expr>> {

@@ -9,18 +9,27 @@ mod item;
 mod operation;
 mod splitting;
 
-use super::ast::Grammar;
+use super::ast::{Expr, Grammar};
 use super::lex::{Kind, lex};
 use super::{Code, Diagnostic, Span};
-use comments::Comments;
+use comments::{Comments, counts};
 use cursor::Parser;
 use std::collections::BTreeSet;
 use std::str::FromStr;
 
 /// Parses a grammar file. Every error of the file is reported.
 pub fn parse(text: &str) -> Result<Grammar, Vec<Diagnostic>> {
-    let Parsed { grammar, errors, .. } = parse_items(text);
+    let Parsed { grammar, mut errors, .. } = parse_items_at(text, 0);
+    if grammar.rules.is_empty() && errors.is_empty() {
+        errors.push(no_rule());
+    }
     if errors.is_empty() { Ok(grammar) } else { Err(errors) }
+}
+
+/// For a grammar that derives nothing.
+pub fn no_rule() -> Diagnostic {
+    Diagnostic::new(Code::NoRules, Span::new(0, 0), "a grammar needs a rule")
+        .hint("for example `house --> I(stone)`")
 }
 
 /// What could be read of a file.
@@ -33,19 +42,20 @@ pub struct Parsed {
     pub broken: BTreeSet<String>,
 }
 
-/// Parses all items of a file that can be parsed.
-pub fn parse_items(text: &str) -> Parsed {
-    let lexed = lex(text);
+/// Parses all items of the file that `text` holds from `start` on.
+pub fn parse_items_at(text: &str, start: usize) -> Parsed {
+    let lexed = lex(text, start);
     let mut parser = Parser::new(text, &lexed.tokens);
     let mut grammar = Grammar::default();
     let mut errors = lexed.errors;
     let mut broken = BTreeSet::new();
-    let mut comments = Comments { text, rest: &lexed.comments };
-    grammar.preamble = comments.preamble();
+    let mut comments = Comments::new(text, &lexed.comments);
+    grammar.preamble = comments.preamble(start);
     while parser.peek().kind != Kind::End {
         let start = parser.at();
-        let above = comments.before(parser.peek().span.start);
-        if let Err(error) = parser.item(&mut grammar, above) {
+        let above = comments.above(parser.peek().span.start);
+        let before = counts(&grammar);
+        if let Err(error) = parser.item(&mut grammar, above.clone()) {
             broken.insert(parser.word_at(start).to_owned());
             // One error a place: what the lexer refused is not refused again for what is missing there.
             if !errors.iter().any(|known| known.span.start == error.span.start) {
@@ -53,15 +63,25 @@ pub fn parse_items(text: &str) -> Parsed {
             }
             parser.recover(start);
         }
-        comments.skip_inside(parser.previous_end());
+        comments.inside(&mut grammar, before, above, parser.previous_end());
     }
-    if grammar.rules.is_empty() && errors.is_empty() {
-        let message = "a grammar needs a rule";
-        let error = Diagnostic::new(Code::NoRules, Span::new(0, 0), message);
-        errors.push(error.hint("for example `house --> I(stone)`"));
-    }
+    grammar.epilogue = comments.above(usize::MAX);
     errors.sort_by_key(|error| error.span.start);
     Parsed { grammar, errors, broken }
+}
+
+/// Parses a text that is one value, as that of a constant.
+pub fn parse_value(text: &str) -> Result<Expr, Box<Diagnostic>> {
+    let lexed = lex(text, 0);
+    if let Some(error) = lexed.errors.into_iter().next() {
+        return Err(Box::new(error));
+    }
+    let mut parser = Parser::new(text, &lexed.tokens);
+    let value = parser.argument()?;
+    match parser.peek().kind {
+        Kind::End => Ok(value),
+        _ => Err(parser.unexpected("expected nothing behind the value")),
+    }
 }
 
 impl FromStr for Grammar {

@@ -20,7 +20,7 @@ impl Parser<'_> {
             while parser.goes_on() {
                 ops.push(parser.single()?);
             }
-            Ok(Successor { op: Op::All(ops), span: start.to(Span::new(0, parser.previous_end())) })
+            Ok(Successor::at(Op::All(ops), start.to(Span::new(0, parser.previous_end()))))
         })
     }
 
@@ -51,7 +51,7 @@ impl Parser<'_> {
             return Ok(inner);
         }
         let op = self.op()?;
-        Ok(Successor { op, span: start.to(Span::new(0, self.previous_end())) })
+        Ok(Successor::at(op, start.to(Span::new(0, self.previous_end()))))
     }
 
     fn op(&mut self) -> Parse<Op> {
