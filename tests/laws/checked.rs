@@ -42,7 +42,7 @@ pub fn grammars() -> impl Strategy<Value = Grammar> {
             |found| {
                 found
                     .iter()
-                    .filter(|finding| finding.severity == Severity::Error)
+                    .filter(|finding| finding.severity() == Severity::Error)
                     .any(|finding| !finding.message.ends_with("only leads back to itself"))
             },
             |_| true,
