@@ -85,7 +85,7 @@ fn overruns(need: &Need, have: &Numbers) -> bool {
 
 fn underruns(need: &Need, have: &Numbers) -> bool {
     let is_less = need.fraction.high() <= 1.0 || have.high().is_finite();
-    is_less && ends(have).all(|length| length - need_at(need, length, Numbers::high) > SLACK + NOISE)
+    is_less && ends(have).all(|length| length - need_at(need, length, Numbers::high) > SLACK - NOISE)
 }
 
 /// The ends of what a length may be; of the lengths without bound, the least.

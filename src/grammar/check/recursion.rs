@@ -187,18 +187,29 @@ fn depends_on_place(condition: &Expr) -> bool {
 /// The labels each of whose rules surely calls another such label: all but those that something may end.
 fn endless<'g>(calls: &BTreeMap<&'g str, Vec<Vec<Call<'g>>>>) -> BTreeSet<&'g str> {
     let mut endless: BTreeSet<&str> = calls.keys().copied().collect();
-    loop {
-        let goes_on = |call: &Call<'_>| endless.contains(call.label.name.as_str());
-        let kept: BTreeSet<&str> = endless
-            .iter()
-            .copied()
-            .filter(|label| calls[label].iter().all(|rule| rule.iter().any(goes_on)))
-            .collect();
-        if kept.len() == endless.len() {
-            return kept;
+    // How many calls of each rule may go on, and which rules call a label.
+    let mut left: BTreeMap<(&str, usize), usize> = BTreeMap::new();
+    let mut callers: BTreeMap<&str, Vec<(&str, usize)>> = BTreeMap::new();
+    let mut ended = Vec::new();
+    for (label, rules) in calls {
+        for (number, rule) in rules.iter().enumerate() {
+            left.insert((label, number), rule.len());
+            rule.iter().for_each(|call| callers.entry(&call.label.name).or_default().push((label, number)));
+            if rule.is_empty() && endless.remove(label) {
+                ended.push(*label);
+            }
         }
-        endless = kept;
     }
+    while let Some(label) = ended.pop() {
+        for (caller, number) in callers.get(label).into_iter().flatten() {
+            let left = left.entry((caller, *number)).or_default();
+            *left -= 1;
+            if *left == 0 && endless.remove(caller) {
+                ended.push(caller);
+            }
+        }
+    }
+    endless
 }
 
 fn sure_calls<'g>(rule: &'g Rule) -> Vec<Call<'g>> {
