@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use vox::block::BlockState;
-use vox::grammar::check;
+use vox::grammar::{Code, check};
 use vox::graph::{OpGraph, dot, lower, raise};
 use vox::grid::{Grid, LabelledBox, LabelledBoxes};
 use vox::infer::{Derivable, Example, InferError, Labels, derivable, infer};
@@ -20,6 +20,11 @@ use vox::space::{Bounds, Cell};
 
 fn graph_of(text: &str) -> OpGraph {
     let checked = check(text.parse().unwrap()).unwrap();
+    assert!(
+        checked.warnings.iter().all(|warning| warning.code == Code::UnknownProperty),
+        "{:?}",
+        checked.warnings
+    );
     lower(&checked, None).unwrap()
 }
 

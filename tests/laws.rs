@@ -1,5 +1,7 @@
 //! Laws that hold for every grammar: of the text, of the graph, and of what runs make.
 
+#[path = "laws/analyses.rs"]
+mod analyses;
 #[path = "laws/carving.rs"]
 mod carving;
 #[path = "laws/checked.rs"]

@@ -3,7 +3,7 @@
 mod grammar_files;
 
 use grammar_files::{GrammarFile, all_in, root};
-use vox::grammar::{check, parse};
+use vox::grammar::{Code, check, parse};
 use vox::graph::{lower, raise};
 use vox::grid::Grid;
 use vox::run::{Options, run};
@@ -38,6 +38,16 @@ fn printed_grammars_survive_printing_and_raising() {
         let graph = file.graph();
         let raised = check(raise(&graph)).unwrap();
         assert_eq!(lower(&raised, None).unwrap(), graph, "{}", file.name());
+    }
+}
+
+#[test]
+fn printed_grammars_are_warned_of_nothing_but_what_they_do_not_use() {
+    for file in all_in("tests/seed1") {
+        for warning in file.checked().warnings {
+            let is_unused = matches!(warning.code, Code::Unreachable | Code::UnusedParameter);
+            assert!(is_unused, "{}: {warning:?}", file.name());
+        }
     }
 }
 

@@ -19,15 +19,18 @@ fn failure(text: &str, size: [i32; 3], limits: Limits) -> Kind {
 #[test]
 fn recursion_without_end_is_too_deep() {
     let deep = Kind::TooDeep(SHORT.depth);
-    assert_eq!(failure("a --> b(1)\nb(n) --> b(n + 1)", [3, 3, 3], SHORT), deep);
-    assert_eq!(failure("a --> S('1, '1, '1){ a }", [3, 3, 3], SHORT), deep);
+    assert_eq!(
+        failure("a --> b(1)\nb(n) : n > 0 --> b(n + 1)\nb(n) : n <= 0 --> nil", [3, 3, 3], SHORT),
+        deep
+    );
+    assert_eq!(failure("a --> S('1, '1, '1){ a }\na --> nil : 0", [3, 3, 3], SHORT), deep);
     assert_eq!(failure("a --> split(x){ ~1 : a | ~1 : a }", [30, 1, 1], SHORT), deep);
 }
 
 #[test]
 fn the_default_limits_hold_without_overflow() {
     let deep = Kind::TooDeep(Limits::default().depth);
-    assert_eq!(failure("a --> R(y, 90){ a }", [3, 3, 3], Limits::default()), deep);
+    assert_eq!(failure("a --> R(y, 90){ a }\na --> nil : 0", [3, 3, 3], Limits::default()), deep);
 }
 
 #[test]
@@ -51,7 +54,7 @@ fn huge_counts_take_too_many_steps() {
 
 #[test]
 fn numbers_out_of_range_are_errors() {
-    let power = "a --> b(9999999999)\nb(n) --> b(n * n)";
+    let power = "a --> b(9999999999)\nb(n) --> b(n * n)\nb(n) --> nil : 0";
     assert_eq!(failure(power, [3, 3, 3], SHORT), Kind::NotANumber);
     assert_eq!(failure("a --> split(x){ 1/0 : nil | ~1 : nil }", [3, 3, 3], SHORT), Kind::NotANumber);
     assert_eq!(failure("a --> repeatN(x, 0/0){ nil }", [3, 3, 3], SHORT), Kind::NotANumber);
