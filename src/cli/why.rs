@@ -147,6 +147,9 @@ fn line(program: &Program, step: &Step, next: Option<&Step>) -> Line {
         return Line { what: origin.label.clone(), choice, span, bounds };
     }
     let span = origin.map(|origin| origin.span);
+    if matches!(graph.op(step.node), Op::All) {
+        return Line { what: label.unwrap_or("side by side").to_owned(), choice: None, span, bounds };
+    }
     let word = span.map_or_else(String::new, |span| word(&program.sources, span));
     let what = match label {
         Some(label) if word != label => format!("{label}: {word}"),

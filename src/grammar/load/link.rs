@@ -70,7 +70,7 @@ impl File<'_> {
         let plain = Renaming { naming: self, params: Vec::new() };
         for rule in own.rules.iter().filter(|rule| self.stands(Sort::Label, &rule.label.name)) {
             let rule = self.rule(rule);
-            if self.module != 0 {
+            if self.module != 0 || self.number != 0 {
                 whole.imported.insert(rule.label.name.clone());
             }
             whole.rules.push(rule);

@@ -1,6 +1,6 @@
 //! Comments: which item or operation each one belongs to.
 
-use crate::grammar::ast::{Grammar, Rule, Successor, for_each_child_mut};
+use crate::grammar::ast::{Grammar, Rule, Successor, for_each_child, for_each_child_mut};
 use crate::grammar::lex::Comment;
 
 /// Deals out comments, in the order of the file.
@@ -74,7 +74,7 @@ impl<'t> Comments<'t> {
         if now[RULES] > before[RULES]
             && let Some(rule) = grammar.rules.last_mut()
         {
-            self.inside_rule(rule);
+            self.inside_rule(rule, end);
         }
         match newest(grammar, before, now) {
             Some((comments, behind)) => {
@@ -91,16 +91,24 @@ impl<'t> Comments<'t> {
         }
     }
 
-    fn inside_rule(&mut self, rule: &mut Rule) {
+    /// Those of a rule that ends at `end`. What stands beside its weight goes to the end of its operation.
+    fn inside_rule(&mut self, rule: &mut Rule, end: usize) {
         let span = rule.successor.span;
         rule.comments.extend(texts(self.take(span.start)));
         self.deal(&mut rule.successor);
+        let (mut has_parts, beside_weight) = (false, self.take(end));
+        for_each_child(&rule.successor.op, &mut |_| has_parts = true);
+        if has_parts && !beside_weight.is_empty() {
+            rule.successor.notes_mut().last.extend(texts(beside_weight));
+            return;
+        }
         // An operation without parts has no lines inside it.
         if let Some(notes) = &mut rule.successor.notes
             && !notes.above.is_empty()
         {
             rule.comments.append(&mut notes.above);
         }
+        rule.comments.extend(texts(beside_weight));
     }
 
     /// Deals out the comments inside an operation.
@@ -146,9 +154,12 @@ impl<'t> Comments<'t> {
         }
     }
 
-    /// Whether a comment stands on the line on which something ends.
+    /// Whether a comment stands on the line on which a part ends, or the rhythm group around it.
     fn is_behind(&self, end: usize, comment: &Comment) -> bool {
-        end <= comment.span.start && !self.text[end..comment.span.start].contains('\n')
+        let between = self.text.get(end..comment.span.start).unwrap_or("\n");
+        let group = between.find(|c: char| !c.is_whitespace() && !"}*".contains(c)).unwrap_or(between.len());
+        let closed = between[..group].rfind(['}', '*']).map_or(0, |at| at + 1);
+        !between[closed..].contains('\n')
     }
 
     /// Whether a comment has a line of its own.

@@ -47,8 +47,8 @@ impl Parser<'_> {
         let start = self.peek().span;
         if self.accept("[").is_some() {
             let inner = self.successor()?;
-            self.expect("]", "after the operations in brackets")?;
-            return Ok(inner);
+            let close = self.expect("]", "after the operations in brackets")?;
+            return Ok(Successor { span: start.to(close.span), ..inner });
         }
         let op = self.op()?;
         Ok(Successor::at(op, start.to(Span::new(0, self.previous_end()))))
