@@ -198,6 +198,13 @@ pub fn draws(expr: &Expr) -> bool {
 pub fn known_number(expr: &Expr) -> Option<f64> {
     match &expr.kind {
         ExprKind::Number(number) => Some(*number),
+        // Words of the language, which nothing else can be called.
+        ExprKind::Name(name) => match name.as_str() {
+            "true" => Some(1.0),
+            "false" => Some(0.0),
+            "pi" => Some(std::f64::consts::PI),
+            _ => None,
+        },
         ExprKind::Unary(UnaryOp::Negate, operand) => known_number(operand).map(|number| -number),
         ExprKind::Unary(UnaryOp::Not, operand) => {
             known_number(operand).map(|number| f64::from(u8::from(number == 0.0)))
