@@ -62,3 +62,18 @@ fn a_text_alone_imports_nothing() {
     let found = read("import \"walls.grammar\"\na --> I(stone)\n").unwrap_err();
     assert!(found[0].message.contains("stands alone"), "{found:?}");
 }
+
+#[test]
+fn styles_of_a_named_import_carry_its_name() {
+    let root = "import \"walls.grammar\" as walls\na --> style(walls.dark){ walls.wall }\nstyle own { walls.block = dirt }\n";
+    let walls = "block = stone\nstyle dark { block = deepslate }\nwall --> I(block)\n";
+    let checked = load("root.grammar", root, &mut |_| Ok(walls.to_owned())).checked.unwrap();
+    let mut graph = graph(&checked);
+    graph.set_style("walls.dark").unwrap();
+    assert!(graph.set_style("dark").is_err());
+    assert_eq!(graph.constants[0].name, "walls.block");
+    assert_eq!(
+        graph.styles.iter().map(|style| style.name.as_str()).collect::<Vec<_>>(),
+        ["own", "walls.dark"]
+    );
+}

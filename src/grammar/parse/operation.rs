@@ -88,7 +88,7 @@ impl Parser<'_> {
             }
             "style" if self.is_symbol("(") => {
                 self.next();
-                let name = self.ident("the name of a style")?;
+                let name = self.dotted("the name of a style")?;
                 self.expect(")", "after the name of the style")?;
                 self.within(Change::Style(name))
             }
