@@ -103,6 +103,9 @@ pub struct Ready {
     library: Library,
 }
 
+/// Sees each building and where it goes, before it is written.
+pub type Look<'l> = dyn FnMut(&Path, &Grid) + 'l;
+
 /// What one seed made.
 struct Building {
     /// Its size in the world.
@@ -133,7 +136,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
 }
 
 /// Makes and writes all buildings. Each is shown to `look` before it is written.
-pub fn build(args: &Args, ready: &Ready, look: &mut dyn FnMut(&Path, &Grid)) -> Result<(), Failure> {
+pub fn build(args: &Args, ready: &Ready, look: &mut Look<'_>) -> Result<(), Failure> {
     let seeds: Vec<u64> = (0..u64::from(args.number)).map(|number| args.seed.wrapping_add(number)).collect();
     let paths = args.output.of_seeds(&seeds)?;
     paths.first().map_or(Ok(()), |path| writable(args, path))?;
@@ -199,7 +202,7 @@ fn make(
     ready: &Ready,
     seed: u64,
     path: &Path,
-    look: &mut dyn FnMut(&Path, &Grid),
+    look: &mut Look<'_>,
 ) -> Result<Building, Failure> {
     let mut labels = args.report.then(|| Labels::new(&ready.program.graph));
     let mut building = match args.boxes {
@@ -235,7 +238,7 @@ fn make_blocks<'g>(
     ready: &'g Ready,
     seed: u64,
     path: &Path,
-    (labels, look): (Option<&mut Labels<'g>>, &mut dyn FnMut(&Path, &Grid)),
+    (labels, look): (Option<&mut Labels<'g>>, &mut Look<'_>),
 ) -> Result<Building, Failure> {
     let Ready { program, library } = ready;
     let made = run::run_observed(&program.graph, library, &options(args, seed), observer(labels));

@@ -2,6 +2,7 @@
 
 use super::{Module, place};
 use crate::grammar::{Code, Diagnostic, Grammar};
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a name is the name of: labels, constants and styles may share one.
@@ -35,8 +36,8 @@ pub fn spaces(modules: &[Module], errors: &mut Vec<Diagnostic>) -> (Vec<Space>, 
         let (first, prefix) = open[spaces.len()].clone();
         let members = members(modules, first);
         for (name, module) in members.iter().flat_map(|member| named_imports(&modules[*member])) {
-            if !of_module.contains_key(&module) {
-                of_module.insert(module, open.len());
+            if let Entry::Vacant(vacant) = of_module.entry(module) {
+                vacant.insert(open.len());
                 open.push((module, free(format!("{prefix}{name}"), &mut taken)));
             }
         }

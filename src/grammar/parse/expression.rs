@@ -39,7 +39,11 @@ impl Parser<'_> {
         };
         let span = Span::new(first.span.start, first.span.start + end);
         if rest[..end].contains('#') || rest[..end].contains("//") {
-            let error = Diagnostic::new(Code::OpenProperties, span, "a comment cannot stand among the properties of a block");
+            let error = Diagnostic::new(
+                Code::OpenProperties,
+                span,
+                "a comment cannot stand among the properties of a block",
+            );
             return Err(Box::new(error.label("here").hint("write it behind the block")));
         }
         while self.peek().kind != Kind::End && self.peek().span.start < span.end {
