@@ -3,10 +3,10 @@
 
 use snapbox::cmd::{Command, cargo_bin};
 use snapbox::{Assert, Data};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use vox::grammar::{Code, read};
+use vox::grammar::{Checked, Code, Diagnostic, load};
 use vox::graph::lower;
 use vox::run::{Library, Options, run};
 
@@ -74,9 +74,19 @@ fn right_grammars_run_without_a_warning() {
     }
 }
 
+/// Checks an example, in which `# --- walls.grammar` begins a file of that name.
+fn read_example(text: &str) -> Result<Checked, Vec<Diagnostic>> {
+    let mut files = text.split("# --- ");
+    let root = files.next().unwrap_or(text);
+    let others: BTreeMap<&str, &str> = files.filter_map(|file| file.split_once('\n')).collect();
+    let fetch =
+        |name: &str| others.get(name).map(|text| (*text).to_owned()).ok_or_else(|| "no such file".to_owned());
+    load("example.grammar", root, &mut { fetch }).checked
+}
+
 /// The codes that are told of a grammar when it is checked and, where it can be, run.
 fn told(text: &str) -> BTreeSet<Code> {
-    let checked = match read(text) {
+    let checked = match read_example(text) {
         Ok(checked) => checked,
         Err(found) => return found.iter().map(|finding| finding.code).collect(),
     };

@@ -20,11 +20,9 @@ use vox::space::{Bounds, Cell};
 
 fn graph_of(text: &str) -> OpGraph {
     let checked = check(text.parse().unwrap()).unwrap();
-    assert!(
-        checked.warnings.iter().all(|warning| warning.code == Code::UnknownProperty),
-        "{:?}",
-        checked.warnings
-    );
+    // The thesis prints rules that nothing reaches, and houses may hold what vox does not know.
+    let is_known = |code| matches!(code, Code::UnknownProperty | Code::Unreachable);
+    assert!(checked.warnings.iter().all(|warning| is_known(warning.code)), "{:?}", checked.warnings);
     lower(&checked, None).unwrap()
 }
 
