@@ -26,7 +26,7 @@ impl Entity {
     pub fn items(&self) -> Option<Vec<(String, u64)>> {
         let kind = plain(self.data.get("id")?)?;
         let (_, own) = ITEMS.iter().find(|(name, _)| *name == kind)?;
-        let lists = WORN.iter().filter_map(|name| match self.data.get(*name) {
+        let lists = WORN.iter().filter_map(|name| match self.data.get(name) {
             Some(Tag::List(items)) => Some(items.iter()),
             _ => None,
         });

@@ -68,14 +68,14 @@ impl<'l, 'g> Brushes<'l, 'g> {
                 };
                 match footprint {
                     None => grid.fill(scope.bounds, id),
-                    Some(_) => boxes(&placement).for_each(|bounds| grid.fill(bounds, id)),
+                    Some(_) => boxes(placement).for_each(|bounds| grid.fill(bounds, id)),
                 }
                 Ok(())
             }
             Brush::Mix(parts) => {
                 let ids = interned(grid, parts.iter().map(|(_, state)| state), scope)?;
                 let total = parts.last().map_or(0.0, |(sum, _)| *sum);
-                for cell in boxes(&placement).flat_map(Bounds::cells) {
+                for cell in boxes(placement).flat_map(Bounds::cells) {
                     let draw = noise(self.place, cell) * total;
                     grid.set(cell, ids[parts.partition_point(|(sum, _)| *sum <= draw).min(ids.len() - 1)]);
                 }
@@ -83,7 +83,7 @@ impl<'l, 'g> Brushes<'l, 'g> {
             }
             Brush::Gradient(axis, blocks) => {
                 let ids = interned(grid, blocks.iter(), scope)?;
-                for cell in boxes(&placement).flat_map(Bounds::cells) {
+                for cell in boxes(placement).flat_map(Bounds::cells) {
                     let step = (ids.len() - 1) as f64 * scope.along(*axis, cell) + noise(self.place, cell);
                     grid.set(cell, ids[(step as usize).min(ids.len() - 1)]);
                 }
@@ -97,8 +97,8 @@ impl<'l, 'g> Brushes<'l, 'g> {
                 let options = settings::settings(&placement.options)?;
                 put_all(grid, |put| solid::build(*kind, family, &options, (scope, footprint), put))
             }
-            Brush::Door(door) => build_door(grid, door, &placement),
-            Brush::Stamp(file) => stamp(grid, file, &placement),
+            Brush::Door(door) => build_door(grid, door, placement),
+            Brush::Stamp(file) => stamp(grid, file, placement),
         }
     }
 

@@ -46,8 +46,8 @@ fn raise(data: &mut Compound, new: &str, lists: [(&str, &[&str]); 2], says: impl
 fn lower(data: &mut Compound, new: &str, lists: [(&str, &[&str]); 2], empty: &Tag, kept: &mut Kept) {
     let Some(Tag::Compound(mut slots)) = data.remove(new) else { return };
     for (old, names) in lists {
-        if names.iter().any(|name| slots.contains_key(*name)) {
-            let entries = names.iter().map(|name| slots.remove(*name).unwrap_or_else(|| empty.clone()));
+        if names.iter().any(|name| slots.contains_key(name)) {
+            let entries = names.iter().map(|name| slots.remove(name).unwrap_or_else(|| empty.clone()));
             tags::put(data, old, Tag::List(entries.collect()));
         }
     }

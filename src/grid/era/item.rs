@@ -106,8 +106,8 @@ fn rules(item: &Compound) -> impl Iterator<Item = (&'static [&'static str], &'st
 
 fn found<'a>(tag: &'a Compound, path: &[&str]) -> Option<&'a Tag> {
     match path {
-        [name] => tag.get(*name),
-        [name, rest @ ..] => match tag.get(*name)? {
+        [name] => tag.get(name),
+        [name, rest @ ..] => match tag.get(name)? {
             Tag::Compound(inner) => found(inner, rest),
             _ => None,
         },
@@ -119,12 +119,12 @@ fn found<'a>(tag: &'a Compound, path: &[&str]) -> Option<&'a Tag> {
 /// says what block it is.
 fn remove(tag: &mut Compound, path: &[&str]) {
     match path {
-        [name] => drop(tag.remove(*name)),
+        [name] => drop(tag.remove(name)),
         [name, rest @ ..] => {
             if let Some(inner) = tags::inner(tag, name) {
                 remove(inner, rest);
                 if inner.keys().all(|name| name == "id") {
-                    tag.remove(*name);
+                    tag.remove(name);
                 }
             }
         }

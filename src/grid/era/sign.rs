@@ -25,7 +25,7 @@ fn raise(data: &mut Compound) {
     let color = data.remove("Color").unwrap_or_else(|| text("black"));
     let glows = data.remove("GlowingText").unwrap_or(Tag::Byte(0));
     let mut front = vec![("messages", lines(data, LINES)), ("color", color), ("has_glowing_text", glows)];
-    if FILTERED.iter().any(|name| data.contains_key(*name)) {
+    if FILTERED.iter().any(|name| data.contains_key(name)) {
         front.push(("filtered_messages", lines(data, FILTERED)));
     }
     let front = front.into_iter().map(|(name, tag)| (name.to_owned(), tag)).collect();

@@ -63,7 +63,7 @@ fn of_item(components: &mut Compound, way: Way, kept: &mut Kept) {
             None => kept.add(format!("item component `{name}`")),
         }
     }
-    let changed = CHANGED.iter().filter(|name| components.contains_key(**name));
+    let changed = CHANGED.iter().filter(|name| components.contains_key(name));
     changed.for_each(|name| kept.add(format!("item component `{name}`")));
 }
 
