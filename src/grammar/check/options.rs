@@ -1,5 +1,6 @@
 //! Options of primitives.
 
+use super::expressions::is_thing;
 use super::{Checker, Expected};
 use crate::grammar::Code;
 use crate::grammar::ast::*;
@@ -39,7 +40,7 @@ impl Checker<'_> {
     /// Only shapes have options: a block or a file is what it is.
     fn takes_options(&mut self, name: &Expr, options: &[(Ident, Expr)], params: &[Ident]) {
         let is_other = match &name.kind {
-            ExprKind::Name(text) => !is_primitive(text) && !self.is_defined(text, params),
+            ExprKind::Name(text) => !is_primitive(text) && is_thing(text) && !self.is_defined(text, params),
             ExprKind::Block(text) => !self.is_changed_name(text, params),
             ExprKind::File(_) | ExprKind::Mix(_) | ExprKind::Gradient(..) => true,
             _ => false,

@@ -134,8 +134,9 @@ impl<'g> Checker<'g> {
     /// Only a shape is made of something: a block is what it is.
     fn material(&mut self, name: &Expr, material: &Expr, params: &[Ident]) {
         self.expr(material, params, Expected::Thing);
+        // What is nothing at all is told of already.
         let is_other = match &name.kind {
-            ExprKind::Name(text) if params.iter().all(|param| param.name != *text) => !is_primitive(text),
+            ExprKind::Name(text) => !is_primitive(text) && is_thing(text) && !self.is_defined(text, params),
             ExprKind::Block(text) => !is_primitive(text),
             ExprKind::File(_) => true,
             _ => false,
@@ -182,7 +183,8 @@ impl<'g> Checker<'g> {
         if let Some(hint) = hint_for_foreign(name) {
             return hint.to_owned();
         }
-        if let Some(label) = closest(name, self.rules.keys().copied()) {
+        let labels = self.rules.keys().copied().chain(self.broken.iter().map(String::as_str));
+        if let Some(label) = closest(name, labels) {
             return format!("did you mean `{label}`?");
         }
         let is_constant = self.grammar.constants.iter().any(|constant| constant.name.name == name);

@@ -265,6 +265,75 @@ fn held(blocks: &Blocks, footprint: &Footprint) -> usize {
     held.len()
 }
 
+/// Whether a roof has no hole, nothing that hangs in the air and no wind below it.
+fn is_sound(
+    kind: Kind,
+    family: &str,
+    options: &Options,
+    footprint: &Footprint,
+    height: i32,
+) -> Result<(), TestCaseError> {
+    let scope = Scope { bounds: footprint.area().between(0, height), frame: FRAME };
+    let blocks = built(kind, family, options, &scope, Some(footprint));
+    let mut highest: BTreeMap<[i32; 2], i32> = BTreeMap::new();
+    for at in blocks.keys() {
+        let high = highest.entry([at[0], at[2]]).or_insert(at[1]);
+        *high = at[1].max(*high);
+    }
+    // Rain falls through nowhere, and every eave is covered.
+    let reach = Site::of(kind, &scope, Some(footprint), options).reach;
+    for spot in reach.spots() {
+        let top = highest.get(&[spot.x, spot.y]).copied();
+        prop_assert!(top.is_some(), "a hole at {}", spot);
+        prop_assert!(
+            !footprint.contains(spot) || (0..height).contains(&top.unwrap()),
+            "{:?} at {}",
+            top,
+            spot
+        );
+    }
+    prop_assert_eq!(highest.len(), reach.len());
+    // Nothing hangs in the air.
+    prop_assert_eq!(held(&blocks, footprint), blocks.len());
+    // No wind gets below the roof.
+    let aired = aired(&blocks, footprint.area());
+    for spot in footprint.spots() {
+        let top = highest[&[spot.x, spot.y]];
+        for level in 0..top {
+            prop_assert!(!aired.contains(&[spot.x, level, spot.y]), "wind at {} {}", spot, level);
+            let is_filled = blocks.contains_key(&[spot.x, level, spot.y]);
+            prop_assert!(is_filled || options.thickness.is_some());
+        }
+    }
+    Ok(())
+}
+
+/// Every size from 3x3 to 40x40: each under one kind, pitch and thickness after another, or with `VOX_ROOFS=all` under
+/// all of them, which takes minutes.
+#[test]
+fn roofs_of_every_size_are_sound() {
+    let all = std::env::var_os("VOX_ROOFS").is_some();
+    let pitches = [None, Some(0.5), Some(1.0), Some(2.0)];
+    let cases = || {
+        KINDS.into_iter().flat_map(move |kind| {
+            pitches
+                .into_iter()
+                .flat_map(move |pitch| [None, Some(1)].map(|thickness| (kind, pitch, thickness)))
+        })
+    };
+    let sizes = (3..=40).flat_map(|x| (3..=40).map(move |z| (x, z)));
+    for (number, (x, z)) in sizes.enumerate() {
+        let footprint = Footprint::full(Rect::new(Spot::ZERO, Spot::new(x, z)));
+        let chosen = cases().enumerate().filter(|(at, _)| all || *at == number % cases().count());
+        for (_, (kind, pitch, thickness)) in chosen {
+            let options = Options { pitch, thickness, overhang: 1, wall: None };
+            let height = if pitch.is_some() { 100 } else { 1 + x.min(z) / 2 };
+            is_sound(kind, "oak", &options, &footprint, height)
+                .unwrap_or_else(|error| panic!("{kind:?} over {x} x {z}, {options:?}: {error}"));
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn roofs_are_sound(
@@ -274,34 +343,7 @@ proptest! {
         family in families(),
         height in 1..20i32,
     ) {
-        let height = if options.pitch.is_some() { 100 } else { height };
-        let scope = Scope { bounds: footprint.area().between(0, height), frame: FRAME };
-        let blocks = built(kind, family, &options, &scope, Some(&footprint));
-        let mut highest: BTreeMap<[i32; 2], i32> = BTreeMap::new();
-        for at in blocks.keys() {
-            let high = highest.entry([at[0], at[2]]).or_insert(at[1]);
-            *high = at[1].max(*high);
-        }
-        // Rain falls through nowhere, and every eave is covered.
-        let reach = Site::of(kind, &scope, Some(&footprint), &options).reach;
-        for spot in reach.spots() {
-            let top = highest.get(&[spot.x, spot.y]).copied();
-            prop_assert!(top.is_some(), "a hole at {}", spot);
-            prop_assert!(!footprint.contains(spot) || (0..height).contains(&top.unwrap()), "{:?} at {}", top, spot);
-        }
-        prop_assert_eq!(highest.len(), reach.len());
-        // Nothing hangs in the air.
-        prop_assert_eq!(held(&blocks, &footprint), blocks.len());
-        // No wind gets below the roof.
-        let aired = aired(&blocks, footprint.area());
-        for spot in footprint.spots() {
-            let top = highest[&[spot.x, spot.y]];
-            for level in 0..top {
-                prop_assert!(!aired.contains(&[spot.x, level, spot.y]), "wind at {} {}", spot, level);
-                let is_filled = blocks.contains_key(&[spot.x, level, spot.y]);
-                prop_assert!(is_filled || options.thickness.is_some());
-            }
-        }
+        is_sound(kind, family, &options, &footprint, if options.pitch.is_some() { 100 } else { height })?;
     }
 
     #[test]
