@@ -36,7 +36,11 @@ impl Grid {
 
     fn least_version(&self) -> Version {
         let least = Version::of_data(DEFAULT_DATA_VERSION).unwrap_or(Version::newest());
-        self.states().fold(least, |least, state| first_with(state, least))
+        // The palette may hold states that no cell has any more, but cells need no look where it asks for nothing.
+        match self.palette().states().iter().any(|state| first_with(state, least) != least) {
+            true => self.states().fold(least, |least, state| first_with(state, least)),
+            false => least,
+        }
     }
 
     /// Brings blocks and what is in them to another version. What keeps its form is given back.
