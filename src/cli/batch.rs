@@ -57,7 +57,7 @@ impl Batch {
             let made = made.and_then(|content| work(&input::name(input), content));
             match made.and_then(|made| self.write(input, output, made, &read)) {
                 Ok(Written { outputs, what }) => {
-                    summary.add_pieces(&self.writing.pieces(output, &outputs), what);
+                    summary.add(&self.writing.pieces(output, &outputs), what);
                 }
                 Err(Failure::Pipe) => return Err(Failure::Pipe),
                 Err(failure) => failures.push(failure),

@@ -1,5 +1,6 @@
 use super::failure::Failure;
 use super::input::{self, Program};
+use super::kind::written;
 use super::output::{self, Kind, Writing};
 use super::progress::Progress;
 use super::report;
@@ -32,7 +33,7 @@ Examples:
 pub struct Args {
     /// The grammar file, or - for standard input
     grammar: PathBuf,
-    /// Where to write: .schem, .litematic, .nbt, .vox, .obj or .png. {seed} and {number} stand for the seed and the number of each building
+    #[doc = concat!("Where to write: ", written!(), ". {seed} and {number} stand for the seed and the number of each building")]
     #[arg(short, long, value_name = "FILE")]
     output: Template,
     /// The size of the start scope along the grammar's x, y and z; otherwise one that the grammar states
@@ -113,6 +114,8 @@ struct Building {
     /// What it is, in a few words.
     what: String,
     tally: Tally,
+    /// What was written: a path, or one for each piece.
+    files: Vec<PathBuf>,
 }
 
 impl Args {
@@ -146,7 +149,10 @@ pub fn build(args: &Args, ready: &Ready, look: &mut Look<'_>) -> Result<(), Fail
         let building = make(args, ready, seed, path, look)?;
         match args.json {
             true => output::json(&as_json(args, &building, seed, path))?,
-            false => summary.add(path, building.what),
+            false => {
+                let files: Vec<&Path> = building.files.iter().map(PathBuf::as_path).collect();
+                summary.add(&files, building.what);
+            }
         }
         tally.join(building.tally);
         progress.step();
@@ -230,7 +236,7 @@ fn make_boxes<'g>(
     let size = bounds.map_or(Cell::ZERO, |bounds| bounds.size());
     let mut tally = Tally::default();
     tally.boxes(&boxes);
-    Ok(Building { size, what: summary::boxes(boxes.len()), tally })
+    Ok(Building { size, what: summary::boxes(boxes.len()), tally, files: vec![path.to_owned()] })
 }
 
 fn make_blocks<'g>(
@@ -246,9 +252,11 @@ fn make_blocks<'g>(
     look(path, &grid);
     let mut tally = Tally::default();
     tally.blocks(&grid);
-    let building = Building { size: grid.size(), what: summary::building(&grid, args.writing.split), tally };
-    output::write(&args.writing.grid(path, grid)?, &program.files)?;
-    Ok(building)
+    let (size, what) = (grid.size(), summary::building(&grid, args.writing.split));
+    let outputs = args.writing.grid(path, grid)?;
+    output::write(&outputs, &program.files)?;
+    let files = args.writing.pieces(path, &outputs).into_iter().map(Path::to_owned).collect();
+    Ok(Building { size, what, tally, files })
 }
 
 fn observer<'o, 'g>(labels: Option<&'o mut Labels<'g>>) -> Option<&'o mut (dyn Observer + 'o)>

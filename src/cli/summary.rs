@@ -19,12 +19,8 @@ struct Written {
 }
 
 impl Summary {
-    pub fn add(&mut self, path: &Path, what: String) {
-        self.add_pieces(&[path], what);
-    }
-
-    /// Adds a building that was written in pieces, of which there is at least one.
-    pub fn add_pieces(&mut self, paths: &[&Path], what: String) {
+    /// Adds a building with the files it was written to: more than one where it is in pieces.
+    pub fn add(&mut self, paths: &[&Path], what: String) {
         let (Some(first), Some(last)) = (paths.first(), paths.last()) else { return };
         if !is_stdio(first) {
             let (first, last) = (first.to_path_buf(), last.to_path_buf());
