@@ -114,7 +114,11 @@ fn a_closed_pipe_is_no_error() {
 #[test]
 fn a_watched_grammar_runs_again_when_a_file_of_it_changes() {
     let folder = tempfile::tempdir().unwrap();
-    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    // At once, so that nobody sees half of a file.
+    let write = |name: &str, text: &str| {
+        fs::write(folder.path().join("new"), text).unwrap();
+        fs::rename(folder.path().join("new"), folder.path().join(name)).unwrap();
+    };
     write("house.grammar", "import \"parts.grammar\"\nsize(3, 3, 3)\nhouse --> part\n");
     write("parts.grammar", "part --> I(stone)\n");
     let mut child = std::process::Command::new(cargo_bin!("vox"))

@@ -37,7 +37,8 @@ impl Grid {
     fn least_version(&self) -> Version {
         let least = Version::of_data(DEFAULT_DATA_VERSION).unwrap_or(Version::newest());
         // The palette may hold states that no cell has any more, but cells need no look where it asks for nothing.
-        match self.palette().states().iter().any(|state| first_with(state, least) != least) {
+        let mut palettes = std::iter::once(self).chain(&self.variants).map(|grid| grid.palette().states());
+        match palettes.any(|states| states.iter().any(|state| first_with(state, least) != least)) {
             true => self.states().fold(least, |least, state| first_with(state, least)),
             false => least,
         }
