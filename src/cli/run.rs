@@ -18,6 +18,13 @@ use clap::ValueEnum;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
+/// Where to write, for the help text.
+const OUTPUT: &str = concat!(
+    "Where to write: ",
+    written!(),
+    ". {seed} and {number} stand for the seed and the number of each building"
+);
+
 /// Run a grammar: make new buildings
 ///
 /// The same grammar, size and seed always give the same bytes.
@@ -33,8 +40,7 @@ Examples:
 pub struct Args {
     /// The grammar file, or - for standard input
     grammar: PathBuf,
-    #[doc = concat!("Where to write: ", written!(), ". {seed} and {number} stand for the seed and the number of each building")]
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", help = OUTPUT)]
     output: Template,
     /// The size of the start scope along the grammar's x, y and z; otherwise one that the grammar states
     #[arg(long, value_name = "XxYxZ")]
