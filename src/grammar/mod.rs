@@ -14,11 +14,11 @@ mod print;
 mod sources;
 
 pub use ast::Grammar;
-pub use check::{Checked, check, is_reserved, read, reserved, value};
+pub use check::{Checked, check, read, value};
 pub use code::{Code, Explanation};
 pub use diagnostic::{Diagnostic, Severity, Span};
 pub use format::format;
 pub use load::{Loaded, load};
-pub use names::{Name, Names, PRIMITIVES, closest, is_primitive};
+pub use names::{Name, Names, PRIMITIVES, closest, is_primitive, is_reserved, reserved};
 pub use parse::parse;
 pub use sources::{Place, Sources};

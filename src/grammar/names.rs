@@ -45,6 +45,69 @@ impl Names<'_> {
     }
 }
 
+/// The operations that have braces.
+pub const OPERATIONS: [&str; 18] = [
+    "split",
+    "repeat",
+    "repeatN",
+    "T",
+    "S",
+    "R",
+    "comp",
+    "setback",
+    "offset",
+    "local",
+    "same",
+    "style",
+    "shapeL",
+    "shapeU",
+    "shapeT",
+    "shapeH",
+    "shapeO",
+    "shapeRound",
+];
+
+/// The words beside [`OPERATIONS`] that nothing else can be called.
+const WORDS: [&str; 27] = [
+    "I",
+    "nil",
+    "size",
+    "scope",
+    "x",
+    "y",
+    "z",
+    "pi",
+    "and",
+    "or",
+    "not",
+    "true",
+    "false",
+    "rand",
+    "randint",
+    "up",
+    "snap",
+    "pick",
+    "mix",
+    "gradient",
+    "occ",
+    "visible",
+    "gauss",
+    "triangular",
+    "attr",
+    "import",
+    "priority",
+];
+
+/// Every word that nothing else can be called. `style` is none: where it stands tells what it means.
+pub fn reserved() -> impl Iterator<Item = &'static str> {
+    WORDS.into_iter().chain(OPERATIONS).filter(|word| *word != "style")
+}
+
+/// Whether a name is a word of the language, which nothing else can be called.
+pub fn is_reserved(name: &str) -> bool {
+    reserved().any(|word| word == name)
+}
+
 /// The primitives that vox knows by name, beside blocks: solids, roofs and their pieces, doors and windows.
 pub const PRIMITIVES: [&str; 23] = [
     "rect",

@@ -1,9 +1,9 @@
 //! Constants, attributes, styles and start sizes.
 
-use super::{Checker, Expected, is_reserved};
+use super::{Checker, Expected};
 use crate::grammar::Code;
 use crate::grammar::ast::*;
-use crate::grammar::names::{Name, Names, closest};
+use crate::grammar::names::{Name, Names, closest, is_reserved};
 
 impl Checker<'_> {
     pub(super) fn constants(&mut self) {

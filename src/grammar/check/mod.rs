@@ -119,63 +119,6 @@ fn places(grammar: &Grammar) -> BTreeMap<String, Vec<usize>> {
     places
 }
 
-/// Whether a name is a word of the language, which nothing else can be called.
-pub fn is_reserved(name: &str) -> bool {
-    RESERVED.contains(&name)
-}
-
-/// Every word that nothing else can be called.
-pub fn reserved() -> impl Iterator<Item = &'static str> {
-    RESERVED.into_iter()
-}
-
-const RESERVED: [&str; 44] = [
-    "I",
-    "nil",
-    "split",
-    "repeat",
-    "repeatN",
-    "T",
-    "S",
-    "R",
-    "comp",
-    "size",
-    "scope",
-    "x",
-    "y",
-    "z",
-    "pi",
-    "and",
-    "or",
-    "not",
-    "true",
-    "false",
-    "rand",
-    "randint",
-    "up",
-    "snap",
-    "setback",
-    "offset",
-    "shapeL",
-    "shapeU",
-    "shapeT",
-    "shapeH",
-    "shapeO",
-    "shapeRound",
-    "local",
-    "same",
-    "pick",
-    "mix",
-    "gradient",
-    "occ",
-    "visible",
-    "gauss",
-    "triangular",
-    "attr",
-    "import",
-    "priority",
-];
-
 /// What an expression has to be in its place.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Expected {

@@ -4,7 +4,7 @@ use super::MAX_DEPTH;
 use super::cursor::{Parse, Parser};
 use crate::grammar::ast::*;
 use crate::grammar::lex::{Kind, Place};
-use crate::grammar::names::closest;
+use crate::grammar::names::{OPERATIONS, closest};
 use crate::grammar::{Code, Diagnostic, Span};
 
 impl Parser<'_> {
@@ -221,26 +221,6 @@ impl Parser<'_> {
 
 /// For a word with braces behind it that is none of the operations.
 fn no_operation(word: &Ident) -> Box<Diagnostic> {
-    const OPERATIONS: [&str; 18] = [
-        "split",
-        "repeat",
-        "repeatN",
-        "T",
-        "S",
-        "R",
-        "comp",
-        "setback",
-        "offset",
-        "local",
-        "same",
-        "style",
-        "shapeL",
-        "shapeU",
-        "shapeT",
-        "shapeH",
-        "shapeO",
-        "shapeRound",
-    ];
     let near = closest(&word.name, OPERATIONS.into_iter());
     let hint = near.map_or(format!("the operations with braces are {}", OPERATIONS.join(", ")), |near| {
         format!("did you mean `{near}`?")
