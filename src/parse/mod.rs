@@ -1,0 +1,202 @@
+//! Parsing buildings under a grammar: which derivation of an op graph gives this grid, block for block?
+//!
+//! The search goes from the root down as a run does, and looks at the target instead of drawing. Equal parts of the
+//! target are parsed once under each operation, whatever their place.
+
+mod chart;
+mod cost;
+mod coverage;
+mod derivation;
+mod draw;
+mod free;
+mod lengths;
+mod looks;
+mod needs;
+mod overlay;
+mod search;
+mod split;
+mod states;
+mod surroundings;
+mod target;
+mod value;
+mod widened;
+
+use crate::block::PaletteFull;
+use crate::graph::OpGraph;
+use crate::grid::{Grid, LabelledBoxes};
+use crate::run::Library;
+use crate::space::{Frame, Scope, Turn};
+use chart::{Chart, Rigour};
+use cost::Cost;
+use looks::Looks;
+use rustc_hash::FxHashMap;
+use search::{Memory, Rules, Search};
+use states::States;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use surroundings::{Known, tables};
+use target::{Blocks, Placed, Target};
+
+pub use chart::Choice;
+pub use coverage::{Reason, Unexplained};
+pub use derivation::{Derivation, Step};
+
+/// Which lengths a part may have.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Laws {
+    /// Those that the grammar says.
+    AsWritten,
+    /// Any: parts and repetitions come in the order of the grammar, but absolute ones may measure any number of blocks
+    /// from one on, floating ones any at all.
+    Widened,
+}
+
+/// The label that each constant stands for, by the constant's name.
+pub type Labels = BTreeMap<String, String>;
+
+/// Operations that one search may look at.
+const MOST_STEPS: u64 = 1 << 22;
+
+static NO_LIBRARY: Library = Library::new();
+static NO_LABELS: Labels = Labels::new();
+
+/// Finds derivations under one graph. What it learns from one building helps it with the next.
+#[derive(Debug)]
+pub struct Parser<'g> {
+    rules: Rules<'g>,
+    memory: RefCell<Memory>,
+    steps: u64,
+}
+
+/// The cheapest derivation that a search found, and where it starts.
+struct Best {
+    cost: Cost,
+    /// The same as in the search.
+    start: surroundings::Around,
+}
+
+impl<'g> Parser<'g> {
+    pub fn new(graph: &'g OpGraph, laws: Laws) -> Parser<'g> {
+        let needs = needs::needs(graph);
+        let rules = Rules { graph, laws, needs, library: &NO_LIBRARY, labels: &NO_LABELS };
+        Parser {
+            rules,
+            memory: RefCell::new(Memory::of(Grid::new(Default::default()).version())),
+            steps: MOST_STEPS,
+        }
+    }
+
+    /// With the schematic files that the graph names.
+    pub fn with_library(mut self, library: &'g Library) -> Parser<'g> {
+        self.rules.library = library;
+        self
+    }
+
+    /// With the labels that constants stand for in labelled boxes.
+    pub fn with_labels(mut self, labels: &'g Labels) -> Parser<'g> {
+        self.rules.labels = labels;
+        self
+    }
+
+    /// With another limit on the operations that a search looks at.
+    pub fn with_steps(self, steps: u64) -> Parser<'g> {
+        Parser { steps, ..self }
+    }
+
+    /// The cheapest derivation of a grid, on a scope of its size; or what no derivation explains.
+    pub fn parse(&self, grid: &Grid) -> Result<Derivation, Unexplained> {
+        let mut memory = self.ready(grid);
+        let blocks = Blocks::of(grid, &mut memory.states).map_err(|PaletteFull| Unexplained::unread(grid))?;
+        self.parse_target(&mut memory, &Target::Blocks(blocks))
+    }
+
+    /// As [`Parser::parse`], for labelled boxes. Cells count as blocks.
+    pub fn parse_boxes(&self, boxes: &LabelledBoxes) -> Result<Derivation, Unexplained> {
+        let mut memory = self.memory.borrow_mut();
+        memory.chart = Chart::default();
+        let parsed = self.parse_target(&mut memory, &Target::Boxes(Placed::of(boxes)));
+        memory.chart = Chart::default();
+        parsed
+    }
+
+    /// Whether there is a derivation of a grid: cheaper than to find out what is not explained.
+    pub fn derives(&self, grid: &Grid) -> bool {
+        let mut memory = self.ready(grid);
+        let blocks = Blocks::of(grid, &mut memory.states);
+        blocks.is_ok_and(|blocks| self.search(&mut memory, &Target::Blocks(blocks), Rigour::Exact).is_ok())
+    }
+
+    /// As [`Parser::derives`], for labelled boxes.
+    pub fn derives_boxes(&self, boxes: &LabelledBoxes) -> bool {
+        let mut memory = self.memory.borrow_mut();
+        memory.chart = Chart::default();
+        let found = self.search(&mut memory, &Target::Boxes(Placed::of(boxes)), Rigour::Exact);
+        memory.chart = Chart::default();
+        found.is_ok()
+    }
+
+    fn ready(&self, grid: &Grid) -> std::cell::RefMut<'_, Memory> {
+        let mut memory = self.memory.borrow_mut();
+        if memory.states.version() != grid.version() || memory.chart.is_full() {
+            *memory = Memory::of(grid.version());
+        }
+        memory
+    }
+
+    fn parse_target(&self, memory: &mut Memory, target: &Target<'_>) -> Result<Derivation, Unexplained> {
+        match self.search(memory, target, Rigour::Exact) {
+            Ok(best) => Ok(self.listed(memory, target, &best, Rigour::Exact)),
+            Err(reason) => Err(self.unexplained(memory, target, reason)),
+        }
+    }
+
+    /// What the derivation that comes nearest leaves open.
+    fn unexplained(&self, memory: &mut Memory, target: &Target<'_>, reason: Reason) -> Unexplained {
+        let nearest = self.search(memory, target, Rigour::Nearest);
+        let nearest = nearest.map(|best| self.listed(memory, target, &best, Rigour::Nearest));
+        coverage::unexplained(&self.rules, memory, target, reason, nearest.ok())
+    }
+
+    fn listed(&self, memory: &mut Memory, target: &Target<'_>, best: &Best, rigour: Rigour) -> Derivation {
+        let mut search = Search::new(&self.rules, memory, target, rigour, self.steps);
+        let steps = search.steps(self.rules.graph.root(), best.start, &self.start(target));
+        Derivation { bits: best.cost.bits, steps }
+    }
+
+    fn start(&self, target: &Target<'_>) -> Scope {
+        let frame = Frame { up: self.rules.graph.up, turn: Turn::NONE };
+        Scope { bounds: target.bounds(), frame }
+    }
+
+    /// The cheapest derivation over all values that the constants may have.
+    fn search(&self, memory: &mut Memory, target: &Target<'_>, rigour: Rigour) -> Result<Best, Reason> {
+        let (root, scope) = (self.rules.graph.root(), self.start(target));
+        let asked = &self.rules.needs[root.index()].constants;
+        let mut best: Option<Best> = None;
+        let mut left = self.steps;
+        for (table, chance) in tables(self.rules.graph, asked) {
+            let start = memory.known.start(table);
+            let mut search = Search::new(&self.rules, memory, target, rigour, left);
+            let cost = search.solve(root, start, &scope).map(|cost| cost.plus(Cost::of_chance(chance)));
+            left = search.steps;
+            best = match (best, cost) {
+                (Some(best), Some(cost)) if !cost.is_less(best.cost) => Some(best),
+                (best, None) => best,
+                (_, Some(cost)) => Some(Best { cost, start }),
+            };
+        }
+        best.ok_or(if left == 0 { Reason::TooManySteps(self.steps) } else { Reason::NoDerivation })
+    }
+}
+
+impl Memory {
+    fn of(version: crate::block::Version) -> Memory {
+        Memory {
+            states: States::of(version),
+            known: Known::default(),
+            chart: Chart::default(),
+            looks: Looks::default(),
+            footprints: FxHashMap::default(),
+        }
+    }
+}

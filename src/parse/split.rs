@@ -1,0 +1,247 @@
+//! Splits and repeats: where their parts may end, and the cheapest of these ways.
+
+use super::Laws;
+use super::chart::{Choice, Found, Piece, Rigour};
+use super::cost::Cost;
+use super::draw::Draw;
+use super::lengths::{Law, law};
+use super::search::{Search, keep};
+use super::surroundings::Around;
+use crate::graph::{Arg, Expr, Group, NodeIndex};
+use crate::run::written_out;
+use crate::space::{Axis, Length, Scope, fit, shares};
+use smallvec::SmallVec;
+use std::collections::BTreeMap;
+
+/// A part of a split that is laid out: from where to where it reaches.
+#[derive(Clone, Copy, Debug)]
+pub struct Laid {
+    pub child: NodeIndex,
+    pub low: i32,
+    pub high: i32,
+    /// Its number among all, those without a block included.
+    pub number: u32,
+}
+
+/// A split or repeat and its scope.
+#[derive(Clone, Copy)]
+pub struct Row<'s> {
+    pub node: NodeIndex,
+    pub around: Around,
+    pub scope: &'s Scope,
+    pub axis: Axis,
+}
+
+/// What stands in the parts of a split.
+type Parts = SmallVec<[NodeIndex; 8]>;
+
+impl Row<'_> {
+    pub fn total(&self) -> i32 {
+        self.scope.len(self.axis)
+    }
+}
+
+/// Noise of floating-point arithmetic in counting repetitions, as a run has it.
+const NOISE: f64 = 1e-6;
+
+/// More ways than this to draw the sizes of a split that repeats some of them are not tried.
+const MOST_WAYS: usize = 1 << 12;
+
+impl Search<'_, '_> {
+    pub fn split(
+        &mut self,
+        node: NodeIndex,
+        around: Around,
+        scope: &Scope,
+        axis: Axis,
+        groups: &[Group],
+    ) -> Option<Found> {
+        let row = Row { node, around, scope, axis };
+        if self.rules.laws == Laws::Widened {
+            return self.widened(row, groups);
+        }
+        let (laws, children) = self.laws(row)?;
+        match laws.iter().map(Law::certain).collect::<Option<SmallVec<[Length; 8]>>>() {
+            Some(lengths) => self.fixed(row, &lengths, &children, groups, Cost::NONE),
+            None if groups.is_empty() => self.free(row, &laws, &children),
+            None => self.every_way(row, &laws, &children, groups),
+        }
+    }
+
+    /// What the parts of a split may measure, and their children.
+    pub fn laws(&self, row: Row<'_>) -> Option<(SmallVec<[Law; 8]>, Parts)> {
+        let sight = self.sight(row.around, row.scope);
+        let (mut laws, mut children) = (SmallVec::new(), SmallVec::new());
+        for (arg, child) in self.rules.graph.children(row.node) {
+            if let Arg::Size(size) = arg {
+                laws.push(law(size, &sight, row.total())?);
+                children.push(child);
+            }
+        }
+        Some((laws, children))
+    }
+
+    /// Parts of known lengths.
+    pub fn fixed(
+        &mut self,
+        row: Row<'_>,
+        lengths: &[Length],
+        children: &[NodeIndex],
+        groups: &[Group],
+        cost: Cost,
+    ) -> Option<Found> {
+        let order = match groups.is_empty() {
+            true => None,
+            false => Some(written_out(lengths, groups, row.total()).ok()?),
+        };
+        let ends = match &order {
+            None => fit(row.total(), lengths).ok()?,
+            Some(order) => {
+                let lengths: Vec<Length> = order.iter().map(|at| lengths[*at]).collect();
+                fit(row.total(), &lengths).ok()?
+            }
+        };
+        let child = |at: usize| children[order.as_ref().map_or(at, |order| order[at])];
+        let laid = ends.windows(2).enumerate();
+        let laid =
+            laid.map(|(at, ends)| Laid { child: child(at), low: ends[0], high: ends[1], number: at as u32 });
+        self.row(row, &laid.collect::<SmallVec<[Laid; 8]>>(), cost)
+    }
+
+    /// All parts of a row. Where every cell counts, what is seen at once is looked at first.
+    pub fn row(&mut self, row: Row<'_>, laid: &[Laid], cost: Cost) -> Option<Found> {
+        let count = laid.len() as u32;
+        let there = || laid.iter().filter(|part| part.low < part.high);
+        if self.rigour == Rigour::Exact {
+            for part in there() {
+                let scope = row.scope.part(row.axis, part.low, part.high);
+                let around = self.shared(row, part, count);
+                if self.is_hopeless(part.child, around, &scope) {
+                    return None;
+                }
+            }
+        }
+        let mut cost = cost;
+        let mut pieces = Vec::with_capacity(laid.len());
+        for part in there() {
+            let scope = row.scope.part(row.axis, part.low, part.high);
+            let around = self.shared(row, part, count);
+            cost = cost.plus(self.solve(part.child, around, &scope)?);
+            pieces.push(Piece::of(part.child, around, &scope, row.scope));
+        }
+        if pieces.is_empty() {
+            cost = cost.plus(self.nothing(row.scope.bounds)?);
+        }
+        let lengths = there().map(|part| part.high - part.low).collect();
+        cost.steps += 1;
+        Some(Found { cost, choice: Choice::Lengths(lengths), pieces: pieces.into() })
+    }
+
+    /// What a part sees, of so many.
+    pub fn shared(&mut self, row: Row<'_>, part: &Laid, count: u32) -> Around {
+        match self.rules.needs[part.child.index()].share {
+            true => self.memory.known.with_share(row.around, (part.number, count)),
+            false => row.around,
+        }
+    }
+
+    /// The cost of one part.
+    pub fn part(&mut self, row: Row<'_>, part: &Laid, count: u32) -> Option<Cost> {
+        if part.low >= part.high {
+            return Some(Cost::NONE);
+        }
+        let around = self.shared(row, part, count);
+        self.solve(part.child, around, &row.scope.part(row.axis, part.low, part.high))
+    }
+
+    /// Every way to draw the lengths, one after the other.
+    fn every_way(
+        &mut self,
+        row: Row<'_>,
+        laws: &[Law],
+        children: &[NodeIndex],
+        groups: &[Group],
+    ) -> Option<Found> {
+        let lists: Vec<Vec<(Length, f64)>> = laws.iter().map(Law::samples).collect();
+        let ways = lists.iter().try_fold(1, |ways: usize, list| ways.checked_mul(list.len()));
+        let mut best = None;
+        for mut way in 0..ways.filter(|ways| *ways <= MOST_WAYS)? {
+            let mut chance = 1.0;
+            let lengths = lists.iter().map(|list| {
+                let (length, own) = list[way % list.len()];
+                way /= list.len();
+                chance *= own;
+                length
+            });
+            let lengths: Vec<Length> = lengths.collect();
+            let found = self.fixed(row, &lengths, children, groups, Cost::of_chance(chance));
+            keep(&mut best, found);
+        }
+        best
+    }
+
+    /// Repeats a size as often as it fits, rounded up.
+    pub fn repeat(
+        &mut self,
+        node: NodeIndex,
+        around: Around,
+        scope: &Scope,
+        axis: Axis,
+        size: &Expr,
+    ) -> Option<Found> {
+        let row = Row { node, around, scope, axis };
+        let total = f64::from(row.total());
+        let fits = |size: f64| (size > 0.0).then(|| (total / size - NOISE).ceil().max(1.0));
+        let counts = match self.sight(around, scope).draw(size)? {
+            Draw::Between(low, high) => {
+                let least = fits(high)?;
+                let most = fits(low).unwrap_or(total).min(total.max(least));
+                let count = most - least + 1.0;
+                (0..count as u32).map(|more| (least + f64::from(more), 1.0 / count)).collect()
+            }
+            drawn => drawn
+                .numbers()?
+                .into_iter()
+                .filter_map(|(size, chance)| Some((fits(size)?, chance)))
+                .collect(),
+        };
+        self.so_often(row, counts)
+    }
+
+    pub fn repeat_times(
+        &mut self,
+        node: NodeIndex,
+        around: Around,
+        scope: &Scope,
+        axis: Axis,
+        count: &Expr,
+    ) -> Option<Found> {
+        let row = Row { node, around, scope, axis };
+        let drawn = self.sight(around, scope).draw(count)?.numbers()?.into_iter();
+        let counts = drawn.map(|(count, chance)| (count.round(), chance)).filter(|(count, _)| *count >= 0.0);
+        self.so_often(row, counts.collect())
+    }
+
+    /// Equal shares, as often as any of the counts says.
+    fn so_often(&mut self, row: Row<'_>, counts: Vec<(f64, f64)>) -> Option<Found> {
+        let (_, child) = self.rules.graph.children(row.node).next()?;
+        let most = f64::from(row.total());
+        let mut chances: BTreeMap<u32, f64> = BTreeMap::new();
+        // Shares of less than a block are there or not, and their number tells no more: a run of many is work for nothing.
+        for (count, chance) in counts.into_iter().filter(|(count, _)| *count <= 16.0 * (most + 1.0)) {
+            *chances.entry(count as u32).or_insert(0.0) += chance;
+        }
+        if self.rules.laws == Laws::Widened {
+            chances.extend((1..=row.total().max(1) as u32).map(|count| (count, 1.0)));
+        }
+        let mut best = None;
+        for (count, chance) in chances {
+            let laid = shares(row.total(), count).enumerate();
+            let laid: Vec<Laid> =
+                laid.map(|(at, (low, high))| Laid { child, low, high, number: at as u32 }).collect();
+            let found = self.row(row, &laid, Cost::of_chance(chance));
+            keep(&mut best, found.map(|found| Found { choice: Choice::Times(count), ..found }));
+        }
+        best
+    }
+}
