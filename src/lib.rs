@@ -23,7 +23,11 @@ pub mod graph;
 
 pub mod run;
 
+pub mod parse;
+
 pub mod infer;
+
+pub mod score;
 
 pub mod io;
 

@@ -14,6 +14,8 @@ mod graphs;
 mod limits;
 #[path = "laws/noise.rs"]
 mod noise;
+#[path = "laws/parse.rs"]
+mod parse;
 #[path = "laws/scopes.rs"]
 mod scopes;
 #[path = "laws/seeds.rs"]
@@ -24,7 +26,7 @@ mod syntax;
 mod tiling;
 
 use vox::grammar::ast::Grammar;
-use vox::grammar::{Diagnostic, check, parse};
+use vox::grammar::{self, Diagnostic, check};
 use vox::graph::{OpGraph, lower};
 use vox::grid::{Grid, LabelledBox};
 use vox::run::{Library, Limits, Options, RunError, run, run_boxes};
@@ -42,7 +44,7 @@ fn graph_of(grammar: Grammar) -> OpGraph {
 }
 
 fn graph(text: &str) -> OpGraph {
-    graph_of(parse(text).unwrap_or_else(|found| panic!("{}in\n{text}", messages(&found))))
+    graph_of(grammar::parse(text).unwrap_or_else(|found| panic!("{}in\n{text}", messages(&found))))
 }
 
 /// Few enough steps that a grammar without an end is told of at once.

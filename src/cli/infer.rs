@@ -5,11 +5,19 @@ use super::progress::Progress;
 use super::report;
 use crate::grammar::{self, Diagnostic};
 use crate::graph::{OpGraph, dot, lower, raise};
-use crate::infer::{self, Derivable, Example, InferError, Learnt, derivable, variety};
+use crate::grid::Grid;
+use crate::infer::{self, Example, InferError, Learnt, variety};
 use crate::io::{Content, Scale};
+use crate::parse::{Laws, Parser};
+use crate::score::{Explained, Length, Outline, outline};
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+
+/// So many samples are scored.
+const SAMPLES: usize = 24;
+/// Examples of more cells than this in all are not scored: that would take longer than to learn from them.
+const MOST_CELLS: u64 = 250_000;
 
 /// Learn a grammar from example buildings
 ///
@@ -31,11 +39,53 @@ pub struct Args {
     /// Blocks per unit of OBJ coordinates
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
+    /// How examples of blocks become rules; labelled boxes are always learnt by `boxes`
+    #[arg(long, value_enum, default_value_t)]
+    method: Method,
+    /// How far what is learnt may leave the examples; for `joint` only
+    #[arg(long, value_enum, default_value_t)]
+    freedom: Freedom,
     #[command(flatten)]
     limit: Limit,
     /// Print what was learnt as JSON. The grammar then goes to a file only
     #[arg(long)]
     json: bool,
+}
+
+#[derive(Clone, Copy, Default, clap::ValueEnum)]
+enum Method {
+    /// One operation for all the boxes that a rule stands for, by description length
+    #[default]
+    Joint,
+    /// Each example is split by itself, then what is equal is joined
+    Boxes,
+}
+
+#[derive(Clone, Copy, Default, clap::ValueEnum)]
+enum Freedom {
+    /// Blocks stand beside one another only as they do in an example
+    #[default]
+    Seen,
+    /// Whatever the shortest description allows
+    Free,
+}
+
+impl From<Freedom> for infer::Freedom {
+    fn from(freedom: Freedom) -> infer::Freedom {
+        match freedom {
+            Freedom::Seen => infer::Freedom::Seen,
+            Freedom::Free => infer::Freedom::Free,
+        }
+    }
+}
+
+impl From<Method> for infer::Method {
+    fn from(method: Method) -> infer::Method {
+        match method {
+            Method::Joint => infer::Method::Joint,
+            Method::Boxes => infer::Method::Boxes,
+        }
+    }
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
@@ -56,16 +106,25 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     }
     drop(progress);
     tell_losses(&paths, &examples);
-    let Learnt { mut graph, labels } = infer::infer(&examples).map_err(|error| failure(&paths, &error))?;
+    let Learnt { mut graph, labels, by } = infer::infer(&examples, args.method.into(), args.freedom.into())
+        .map_err(|error| failure(&paths, &error))?;
     graph.preamble = preamble(&paths);
     let text = raise(&graph).to_string();
     let graph = read_back(&text)?;
-    let derived = |example| derivable(&graph, &labels, example) == Derivable::Yes;
-    prove(&paths, &examples.iter().map(derived).collect::<Vec<bool>>())?;
+    let parser = Parser::new(&graph, Laws::AsWritten).with_labels(&labels);
+    let derived = examples.iter().map(|example| example.is_derived_by(&parser));
+    prove(&paths, &derived.collect::<Vec<bool>>())?;
     let mut outputs = vec![Output::new(&args.output, text)];
     outputs.extend(args.dot.as_ref().map(|path| Output::new(path, dot(&graph))));
     output::write(&outputs, &paths)?;
-    tell(args, &graph, examples.len())
+    let grids: Vec<Grid> = examples.into_iter().filter_map(Example::into_grid).collect();
+    if by != infer::Method::from(args.method) && grids.len() > 1 {
+        report::note("no rule was found that joins the examples: they were learnt as with `--method boxes`");
+    }
+    let outline = (1..=MOST_CELLS)
+        .contains(&cells(&grids))
+        .then(|| outline(&graph, &Explained::of(&parser, &grids), &grids, SAMPLES));
+    tell(args, &graph, paths.len(), outline)
 }
 
 /// Grammars place block states only.
@@ -133,7 +192,11 @@ fn prove(paths: &[PathBuf], reproduced: &[bool]) -> Result<(), Failure> {
     }
 }
 
-fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
+fn cells(grids: &[Grid]) -> u64 {
+    grids.iter().map(|grid| grid.bounds().volume()).sum()
+}
+
+fn tell(args: &Args, graph: &OpGraph, examples: usize, outline: Option<Outline>) -> Result<(), Failure> {
     let grammar = raise(graph);
     let labels: BTreeSet<&str> = grammar.rules.iter().map(|rule| rule.label.name.as_str()).collect();
     let ways = variety(graph).unwrap_or(f64::INFINITY);
@@ -145,6 +208,10 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
             "rules": grammar.rules.len(),
             "labels": labels.len(),
             "operations": graph.unified().len(),
+            "length": outline.and_then(|outline| outline.length).map(Length::ratio),
+            "novelty": outline.map(|outline| outline.novelty),
+            "unseen_seams": outline.map(|outline| outline.seams),
+            "sound": outline.map(|outline| outline.sound),
         }));
     }
     let rules = count(grammar.rules.len() as f64, "rule");
@@ -153,7 +220,24 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize) -> Result<(), Failure> {
         true => format!("there are {} through the rules", count(ways, "way")),
         false => "the rules make only the examples again: no part could be exchanged between them".to_owned(),
     });
+    if let Some(outline) = outline {
+        report::note(&scores(&outline));
+    }
     Ok(())
+}
+
+/// The scores that matter most; `vox score` tells the rest.
+fn scores(outline: &Outline) -> String {
+    let of_samples = |share: f64| (share * SAMPLES as f64).round();
+    let length = outline.length.map_or_else(String::new, |length| {
+        format!("; rules and choices take {:.2} of what zlib takes", length.ratio())
+    });
+    format!(
+        "of {SAMPLES} samples {} are new and {} are sound, with {:.1} unseen neighbourhoods in 1,000 cells{length}",
+        of_samples(outline.novelty),
+        of_samples(outline.sound),
+        outline.seams
+    )
 }
 
 /// A number with its noun; a large one in words of ten.

@@ -19,12 +19,14 @@ mod input;
 mod kind;
 mod materials;
 mod output;
+mod parse;
 mod part;
 mod progress;
 mod render;
 mod replace;
 mod report;
 mod run;
+mod score;
 mod settings;
 mod size;
 mod summary;
@@ -61,6 +63,8 @@ enum Command {
     Run(run::Args),
     Why(why::Args),
     Infer(infer::Args),
+    Score(score::Args),
+    Parse(parse::Args),
     Graph(graph::Args),
     Check(check::Args),
     Explain(explain::Args),
@@ -89,6 +93,8 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Run(args) => run::execute(&args),
         Command::Why(args) => why::execute(&args),
         Command::Infer(args) => infer::execute(&args),
+        Command::Score(args) => score::execute(&args),
+        Command::Parse(args) => parse::execute(&args),
         Command::Graph(args) => graph::execute(&args),
         Command::Check(args) => check::execute(&args),
         Command::Explain(args) => explain::execute(&args),

@@ -6,7 +6,7 @@ use crate::grammar::{Diagnostic, Sources};
 use crate::graph::{BadSetting, OpGraph};
 
 /// Other values for constants and attributes. Those that are named go before those of the style.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 pub struct Settings {
     /// What a constant or an attribute is, whatever the grammar says: floors=5, 'wall=pick{ 1 : oak | 2 : birch }'. May be given several times
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]

@@ -171,7 +171,7 @@ fn choice(checked: &Checked, label: &str, number: usize) -> Option<Choice> {
 }
 
 /// An operation in the words of the text, up to its parts.
-fn word(sources: &Sources, span: Span) -> String {
+pub fn word(sources: &Sources, span: Span) -> String {
     let place = sources.place(span);
     let text = &place.text[place.span.range()];
     text[..text.find(['{', '\n', '#']).unwrap_or(text.len())].trim_end().to_owned()
@@ -184,7 +184,7 @@ fn source(sources: &Sources, span: Span) -> String {
 }
 
 /// A scope by its size and low corner, in the world's axes.
-fn scope(bounds: &Bounds) -> String {
+pub fn scope(bounds: &Bounds) -> String {
     let (size, min) = (bounds.size(), bounds.min);
     format!("[{} x {} x {} at ({}, {}, {})]", size.x, size.y, size.z, min.x, min.y, min.z)
 }

@@ -1,4 +1,4 @@
-use crate::space::Bounds;
+use crate::space::{Bounds, Turn};
 
 /// A box with the name of what it holds: an example building drawn with boxes instead of blocks.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -13,6 +13,18 @@ pub struct LabelledBoxes {
     pub boxes: Vec<LabelledBox>,
     /// The smallest box around them all.
     pub container: Bounds,
+}
+
+impl LabelledBox {
+    /// The label without the angle that it ends in, and the turn that this stands for: `corner@90`.
+    pub fn turned(&self) -> (&str, Turn) {
+        let angles = Turn::ALL.into_iter().skip(1).zip(["90", "180", "270"]);
+        let split = self.label.rsplit_once('@');
+        let named = split.and_then(|(name, angle)| {
+            angles.into_iter().find(|(_, text)| *text == angle).map(|(turn, _)| (name, turn))
+        });
+        named.unwrap_or((&self.label, Turn::NONE))
+    }
 }
 
 impl LabelledBoxes {

@@ -7,6 +7,7 @@ mod crop;
 mod diff;
 mod entity;
 mod era;
+mod hash;
 mod labelled;
 mod metadata;
 mod oddity;
@@ -25,6 +26,7 @@ use std::collections::BTreeMap;
 pub use anchor::{Anchor, NoDoor};
 pub use diff::{BlockDiff, Diff};
 pub use era::Kept;
+pub use hash::{BoxHashes, Content};
 pub use labelled::{LabelledBox, LabelledBoxes};
 pub use metadata::{
     BiomeMap, Biomes, DEFAULT_DATA_VERSION, Dialect, Entity, Metadata, Own, Region, is_named,

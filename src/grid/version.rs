@@ -25,7 +25,8 @@ impl Grid {
     /// The data version that the build says, or else that of the first version from the default one on that has all
     /// of its blocks.
     pub fn data_version(&self) -> i32 {
-        self.metadata.data_version.unwrap_or_else(|| self.least_version().data_version())
+        let default = || Version::of_data(DEFAULT_DATA_VERSION).unwrap_or(Version::newest());
+        self.metadata.data_version.unwrap_or_else(|| self.least_version(default()).data_version())
     }
 
     /// The version of the game whose properties block states have. Before 1.13 they had names of their own, which
@@ -34,8 +35,8 @@ impl Grid {
         Version::of_data(self.data_version()).unwrap_or(Version::oldest())
     }
 
-    fn least_version(&self) -> Version {
-        let least = Version::of_data(DEFAULT_DATA_VERSION).unwrap_or(Version::newest());
+    /// The first version from `least` on that has all of its blocks.
+    pub fn least_version(&self, least: Version) -> Version {
         // The palette may hold states that no cell has any more, but cells need no look where it asks for nothing.
         let mut palettes = std::iter::once(self).chain(&self.variants).map(|grid| grid.palette().states());
         match palettes.any(|states| states.iter().any(|state| first_with(state, least) != least)) {

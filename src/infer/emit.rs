@@ -1,13 +1,13 @@
 //! From kinds of operations to an op graph.
 
-use super::Learnt;
 use super::combine::{Content, Item, Kind, KindId, Kinds};
 use super::example::{Example, Terminal, Terminals};
 use super::exchange::Exchange;
 use super::fold::Piece;
 use super::law::Law;
 use super::naming::{self, Places};
-use crate::block::{self, BlockState};
+use super::{Learnt, Method};
+use crate::block::{self, BlockState, Version};
 use crate::grammar::ast::BinaryOp;
 use crate::grammar::{is_primitive, is_reserved};
 use crate::graph::{Alternative, Arg, Builder, Constant, Expr, NodeIndex, Op, Size, StartSize, Thing};
@@ -38,7 +38,7 @@ pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, exampl
     graph.sizes = sizes(examples);
     graph.data_version = data_version(examples);
     naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
-    Learnt { graph, labels }
+    Learnt { graph, labels, by: Method::Boxes }
 }
 
 struct Emitter {
@@ -244,18 +244,23 @@ fn size_condition(varying: &[Axis], sizes: &[Cell]) -> Option<Expr> {
     known.into_iter().filter_map(is_size).reduce(binary(BinaryOp::Or))
 }
 
-/// The oldest data version among the examples: the game brings older blocks up to date, never newer ones
-/// down.
-fn data_version(examples: &[Example]) -> Option<i32> {
-    let versions = examples.iter().filter_map(|example| match example {
-        Example::Blocks(grid) => grid.metadata.data_version,
-        Example::Boxes(_) => None,
-    });
-    versions.min()
+/// The oldest data version among the examples, or the first one after it that has all of their blocks: the game
+/// brings older blocks up to date, never newer ones down.
+pub fn data_version(examples: &[Example]) -> Option<i32> {
+    let grids = || {
+        examples.iter().filter_map(|example| match example {
+            Example::Blocks(grid) => Some(grid),
+            Example::Boxes(_) => None,
+        })
+    };
+    let oldest = grids().filter_map(|grid| grid.metadata.data_version).min()?;
+    let Some(least) = Version::of_data(oldest) else { return Some(oldest) };
+    let needed = grids().fold(least, |least, grid| grid.least_version(least));
+    Some(if needed == least { oldest } else { needed.data_version() })
 }
 
 /// The sizes of the examples, each with how often it was seen, in order of first sight.
-fn sizes(examples: &[Example]) -> Vec<StartSize> {
+pub fn sizes(examples: &[Example]) -> Vec<StartSize> {
     let mut seen: Vec<(Cell, u32)> = Vec::new();
     for example in examples {
         let size = example.bounds().size();
@@ -275,7 +280,7 @@ fn sizes(examples: &[Example]) -> Vec<StartSize> {
 
 /// The expression for a block. Of blocks of the game only the properties that differ from the defaults are
 /// written: a run fills in the others.
-fn block_expr(state: &BlockState) -> Expr {
+pub fn block_expr(state: &BlockState) -> Expr {
     let Some(known) = block::known(state.name()) else {
         return Expr::Thing(Thing::Block(state.to_string()));
     };

@@ -5,6 +5,7 @@ use super::{BadBoxes, PLAN_FIRST, UPRIGHT_FIRST, cuboids, split_boxes};
 use crate::block::{BlockState, Palette, PaletteFull, complete};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::neighbours::unsettle;
+use crate::parse::Parser;
 use crate::space::{Axis, Bounds};
 use ndarray::Array3;
 use std::collections::BTreeMap;
@@ -41,6 +42,11 @@ impl Terminals {
         states.map(|state| self.number(Terminal::Block(state.clone()))).collect()
     }
 
+    /// The number of air.
+    pub fn air(&mut self) -> u32 {
+        self.number(Terminal::Block(BlockState::air()))
+    }
+
     fn number(&mut self, terminal: Terminal) -> u32 {
         *self.numbers.entry(terminal.clone()).or_insert_with(|| {
             self.list.push(terminal);
@@ -55,6 +61,21 @@ impl Example {
         match self {
             Example::Blocks(grid) => Example::Blocks(open(grid)),
             Example::Boxes(boxes) => Example::Boxes(boxes.clone()),
+        }
+    }
+
+    /// Whether a parser finds a derivation of it.
+    pub fn is_derived_by(&self, parser: &Parser<'_>) -> bool {
+        match self {
+            Example::Blocks(grid) => parser.derives(grid),
+            Example::Boxes(boxes) => parser.derives_boxes(boxes),
+        }
+    }
+
+    pub fn into_grid(self) -> Option<Grid> {
+        match self {
+            Example::Blocks(grid) => Some(grid),
+            Example::Boxes(_) => None,
         }
     }
 

@@ -1,4 +1,4 @@
-//! Inference: examples become an op graph. Knows nothing of running grammars or of files.
+//! Inference: examples become an op graph. Knows nothing of files.
 //!
 //! ```text
 //! Grid --cuboids--> boxes of one block state --split_boxes--> Tree --combine--> Kinds --emit--> OpGraph
@@ -8,23 +8,23 @@
 pub mod boxes;
 mod combine;
 pub mod cuboids;
-mod derivable;
 mod emit;
 mod example;
 mod exchange;
 mod fold;
+mod joint;
 mod law;
 mod naming;
 pub mod tree;
 mod variety;
 
 use crate::graph::OpGraph;
+use crate::grid::Grid;
 use combine::Slab;
-use std::collections::BTreeMap;
 
+pub use crate::parse::Labels;
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
 pub use cuboids::cuboids;
-pub use derivable::{Derivable, derivable};
 pub use example::{Example, Terminal, Terminals};
 pub use tree::{Node, NodeId, Part, Tree, TreeBuilder};
 pub use variety::variety;
@@ -54,27 +54,44 @@ impl InferError {
     }
 }
 
-/// The label that each constant of a learnt graph stands for, by the constant's name.
-pub type Labels = BTreeMap<String, String>;
-
 /// What was learnt.
 #[derive(Clone, Debug)]
 pub struct Learnt {
     pub graph: OpGraph,
     pub labels: Labels,
+    /// The method that learnt it.
+    pub by: Method,
 }
 
-/// Learns one op graph from all examples by the method of seed 1 (chapters 9 and 10): split each into its
-/// terminals, then make one operation of what is equal or differs in size only. Examples of blocks that
-/// have one size are first cut at the planes where they can be exchanged.
+/// How examples become rules.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Method {
+    /// One operation explains all the boxes that a rule stands for, across all examples; the shortest
+    /// description wins. Labelled boxes, a single building, and buildings that share too little or are too large for
+    /// the search are learnt by [`Method::Boxes`].
+    #[default]
+    Joint,
+    /// The method of seed 1 (chapters 9 and 10): split each example into its terminals, then make one operation
+    /// of what is equal or differs in size only. Examples of blocks that have one size are first cut at the
+    /// planes where they can be exchanged.
+    Boxes,
+}
+
+/// How far what is learnt may leave its examples.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
+pub enum Freedom {
+    /// Nothing stands beside one another that does so in no example.
+    #[default]
+    Seen,
+    /// Whatever the shortest description allows.
+    Free,
+}
+
+/// Learns one op graph from all examples.
 ///
-/// The graph derives every example; [`derivable`] proves it.
-pub fn infer(examples: &[Example]) -> Result<Learnt, InferError> {
-    let examples: &[Example] = &examples.iter().map(Example::open).collect::<Vec<_>>();
+/// The graph derives every example; a [`Parser`](crate::parse::Parser) proves it.
+pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<Learnt, InferError> {
     let first = examples.first().ok_or(InferError::NoExample)?;
-    let mut terminals = Terminals::default();
-    let exchanges = exchange::exchanges(examples, &mut terminals);
-    let mut slabs = Vec::new();
     for (number, example) in examples.iter().enumerate() {
         if example.is_empty() {
             return Err(InferError::Empty { example: number });
@@ -82,6 +99,27 @@ pub fn infer(examples: &[Example]) -> Result<Learnt, InferError> {
         if std::mem::discriminant(example) != std::mem::discriminant(first) {
             return Err(InferError::Mixed { example: number });
         }
+    }
+    let open: Vec<Example> = examples.iter().map(Example::open).collect();
+    let grids = examples.iter().filter_map(|example| match example {
+        Example::Blocks(grid) => Some(grid),
+        Example::Boxes(_) => None,
+    });
+    let grids: Vec<&Grid> = grids.collect();
+    match method {
+        Method::Joint if !grids.is_empty() => {
+            joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open), Ok)
+        }
+        Method::Joint | Method::Boxes => by_boxes(&open),
+    }
+}
+
+fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
+    let first = examples.first().ok_or(InferError::NoExample)?;
+    let mut terminals = Terminals::default();
+    let exchanges = exchange::exchanges(examples, &mut terminals);
+    let mut slabs = Vec::new();
+    for (number, example) in examples.iter().enumerate() {
         let boxes = example.boxes(&mut terminals);
         let group = exchanges.iter().find(|group| group.members.contains(&number));
         for bounds in group.map_or_else(Vec::new, |group| group.slabs(example.bounds())) {

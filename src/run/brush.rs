@@ -15,7 +15,7 @@ use glam::Vec3Swizzles;
 use rustc_hash::FxHashMap;
 
 /// What a primitive is made of and how it fills its scope.
-enum Brush<'l> {
+pub enum Brush<'l> {
     /// One block state everywhere.
     Fill(BlockState),
     /// A block by weight for each cell; the weights are sums up to each.
@@ -106,16 +106,18 @@ impl<'l, 'g> Brushes<'l, 'g> {
         if let Some(&number) = self.known.get(&(name, material)) {
             return Ok(number);
         }
-        let brush = self.brush(name, material)?;
+        let brush = Brush::of(self.library, name, material)?;
         self.brushes.push(brush);
         self.known.insert((name, material), self.brushes.len() - 1);
         Ok(self.brushes.len() - 1)
     }
+}
 
-    fn brush(&self, name: &Thing, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
+impl<'l> Brush<'l> {
+    pub fn of(library: &'l Library, name: &Thing, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
         match (name, material) {
             (Thing::File(file), _) | (_, Some(Thing::File(file))) => {
-                self.library.get(file).map(Brush::Stamp).ok_or_else(|| Kind::NoFile(file.clone()))
+                library.get(file).map(Brush::Stamp).ok_or_else(|| Kind::NoFile(file.clone()))
             }
             (Thing::Name(name), material) if is_primitive(name) => shape_brush(name, material),
             (Thing::Mix(_) | Thing::Gradient(..), None) => blend(name),

@@ -25,9 +25,13 @@ use crate::neighbours::settle;
 use crate::space::{Bounds, Cell, Frame, Scope, Turn};
 use std::collections::BTreeMap;
 
-pub use derive::{Placement, derive};
+pub use body::Body;
+pub use brush::{Brush, Brushes};
+pub use carve::{Part, carve};
+pub use derive::{Placement, derive, quarter_turns};
 pub use error::{Kind, RunError, Warning};
 pub use eval::{Things, Value};
+pub use rhythm::written_out;
 pub use start::start_size;
 pub use trail::{Labels, Observer, Step, Trail};
 pub use why::{Cause, Why, why};

@@ -20,6 +20,7 @@ use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+pub use scope::quarter_turns;
 pub use task::Task;
 
 /// Differences below this are noise of floating-point arithmetic.

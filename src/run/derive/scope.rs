@@ -103,7 +103,7 @@ fn within_reach(scope: Scope) -> Result<Scope, Kind> {
 }
 
 /// A multiple of a quarter turn in radians, or of 90 in degrees: no number but 0 is both.
-fn quarter_turns(angle: f64) -> Result<Turn, Kind> {
+pub fn quarter_turns(angle: f64) -> Result<Turn, Kind> {
     let near = |quarters: f64| (quarters - quarters.round()).abs() < NOISE;
     let radians = angle / std::f64::consts::FRAC_PI_2;
     let degrees = angle / 90.0;

@@ -1,0 +1,62 @@
+//! All boxes that one rule stands for.
+
+use super::corpus::{Class, Corpus};
+use crate::space::Axis;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Classes with how often each occurs, in order of their numbers.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub struct Boxes(Rc<[(Class, u32)]>);
+
+impl Boxes {
+    pub fn of(boxes: impl IntoIterator<Item = (Class, u32)>) -> Boxes {
+        let mut counts: BTreeMap<Class, u32> = BTreeMap::new();
+        boxes.into_iter().for_each(|(class, count)| *counts.entry(class).or_insert(0) += count);
+        Boxes(counts.into_iter().collect())
+    }
+
+    pub fn classes(&self) -> impl Iterator<Item = Class> + Clone + '_ {
+        self.0.iter().map(|(class, _)| *class)
+    }
+
+    /// The classes with how often each occurs.
+    pub fn iter(&self) -> impl Iterator<Item = (Class, u32)> + Clone + '_ {
+        self.0.iter().copied()
+    }
+
+    /// How many boxes there are.
+    pub fn count(&self) -> u32 {
+        self.0.iter().map(|(_, count)| count).sum()
+    }
+
+    /// How many differ.
+    pub fn kinds(&self) -> usize {
+        self.0.len()
+    }
+
+    pub fn first(&self) -> Class {
+        self.0[0].0
+    }
+
+    /// The terminal that all of them are full of.
+    pub fn fill(&self, corpus: &Corpus) -> Option<u32> {
+        let is_uniform = self.classes().all(|class| corpus.profile(class).is_uniform());
+        let terminal = corpus.terminal(self.first());
+        (is_uniform && self.classes().all(|class| corpus.terminal(class) == terminal)).then_some(terminal)
+    }
+
+    /// The parts of all boxes between two bounds, which are told by class.
+    pub fn parts(
+        &self,
+        corpus: &mut Corpus,
+        axis: Axis,
+        mut bounds: impl FnMut(&Corpus, Class) -> (i32, i32),
+    ) -> Boxes {
+        let parts = self.iter().map(|(class, count)| {
+            let (low, high) = bounds(corpus, class);
+            (corpus.part(class, axis, low, high), count)
+        });
+        Boxes::of(parts)
+    }
+}

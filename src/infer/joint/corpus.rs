@@ -1,0 +1,189 @@
+//! The boxes of all examples, those of equal content known by one number.
+
+use super::seams::Seams;
+use super::volume::Volume;
+use crate::space::{Axis, Bounds, Cell};
+use rustc_hash::{FxHashMap, FxHasher};
+use smallvec::SmallVec;
+use std::hash::Hasher;
+
+/// A box in an example.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Place {
+    pub example: u32,
+    pub bounds: Bounds,
+}
+
+/// The number of all boxes with one content.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Class(pub u32);
+
+/// The number of all contents that are equal once every slice that equals its predecessor is left out, on all
+/// axes: a shape without its sizes.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Skeleton(pub u32);
+
+/// What is known of a class.
+#[derive(Clone, Debug)]
+pub struct Profile {
+    /// The first place where it was seen.
+    pub place: Place,
+    /// By axis: where slices differ from the one before, from the low end of the box. The first is 0.
+    pub starts: [SmallVec<[i32; 8]>; 3],
+    pub skeleton: Skeleton,
+}
+
+impl Profile {
+    pub fn len(&self, axis: Axis) -> i32 {
+        self.place.bounds.len(axis)
+    }
+
+    pub fn starts(&self, axis: Axis) -> &[i32] {
+        &self.starts[axis.index()]
+    }
+
+    /// Whether all its cells are equal.
+    pub fn is_uniform(&self) -> bool {
+        self.starts.iter().all(|starts| starts.len() == 1)
+    }
+}
+
+/// All examples with what was asked about their boxes.
+#[derive(Debug)]
+pub struct Corpus {
+    volumes: Vec<Volume>,
+    classes: FxHashMap<(u64, Cell), Class>,
+    profiles: Vec<Profile>,
+    skeletons: FxHashMap<u64, Skeleton>,
+    /// By class and axis: the skeletons of the slices that differ from the one before.
+    slices: FxHashMap<(Class, Axis), std::rc::Rc<[Skeleton]>>,
+    seams: Seams,
+    fits: FxHashMap<(Class, Class, Axis), bool>,
+    /// How often it was asked for the class of a box: a measure of the work done.
+    pub asked: u64,
+}
+
+impl Corpus {
+    pub fn new(volumes: Vec<Volume>) -> Corpus {
+        Corpus {
+            seams: Seams::of(&volumes),
+            fits: FxHashMap::default(),
+            asked: 0,
+            volumes,
+            classes: FxHashMap::default(),
+            profiles: Vec::new(),
+            skeletons: FxHashMap::default(),
+            slices: FxHashMap::default(),
+        }
+    }
+
+    pub fn volume(&self, place: Place) -> &Volume {
+        &self.volumes[place.example as usize]
+    }
+
+    /// The examples, whole.
+    pub fn examples(&self) -> Vec<Place> {
+        let places = self.volumes.iter().zip(0..);
+        places.map(|(volume, example)| Place { example, bounds: Bounds::of_size(volume.size()) }).collect()
+    }
+
+    pub fn profile(&self, class: Class) -> &Profile {
+        &self.profiles[class.0 as usize]
+    }
+
+    /// The terminal at the low corner of a class.
+    pub fn terminal(&self, class: Class) -> u32 {
+        let place = self.profile(class).place;
+        self.volume(place).get(place.bounds.min)
+    }
+
+    pub fn class(&mut self, place: Place) -> Class {
+        self.asked += 1;
+        let key = (self.volume(place).hash(place.bounds), place.bounds.size());
+        if let Some(&known) = self.classes.get(&key) {
+            return known;
+        }
+        let starts = Axis::ALL.map(|axis| self.starts(place, axis));
+        let skeleton = self.skeleton(place, &starts);
+        let class = Class(self.profiles.len() as u32);
+        self.profiles.push(Profile { place, starts, skeleton });
+        self.classes.insert(key, class);
+        class
+    }
+
+    /// The class of the part of a class from `low` to `high` on an axis, from its low end.
+    pub fn part(&mut self, class: Class, axis: Axis, low: i32, high: i32) -> Class {
+        let place = self.profile(class).place;
+        let start = axis.of(place.bounds.min);
+        self.class(Place { bounds: place.bounds.slab(axis, start + low, start + high), ..place })
+    }
+
+    /// Whether a plane goes through a whole of two blocks.
+    pub fn is_whole_across(&self, class: Class, axis: Axis, at: i32) -> bool {
+        let place = self.profile(class).place;
+        self.volume(place).is_whole_across(place.bounds, axis, axis.of(place.bounds.min) + at)
+    }
+
+    /// Whether two boxes could stand one behind the other: where they meet they show nothing that no example
+    /// shows. `None` if they differ in size across the axis.
+    pub fn fit(&mut self, left: Class, right: Class, axis: Axis) -> Option<bool> {
+        let len = self.profile(left).len(axis);
+        let last = self.part(left, axis, len - 1, len);
+        let first = self.part(right, axis, 0, 1);
+        let [one, other] = [last, first].map(|class| self.profile(class).place);
+        if one.bounds.size() != other.bounds.size() {
+            return None;
+        }
+        if let Some(&known) = self.fits.get(&(last, first, axis)) {
+            return Some(known);
+        }
+        let fits = self.seams.fit((self.volume(one), one.bounds), (self.volume(other), other.bounds), axis);
+        self.fits.insert((last, first, axis), fits);
+        Some(fits)
+    }
+
+    /// The skeletons of the slices across an axis, those left out that equal the one before.
+    pub fn slices(&mut self, class: Class, axis: Axis) -> std::rc::Rc<[Skeleton]> {
+        if let Some(known) = self.slices.get(&(class, axis)) {
+            return known.clone();
+        }
+        let starts = self.profile(class).starts[axis.index()].clone();
+        let slice = |corpus: &mut Corpus, at: &i32| {
+            let class = corpus.part(class, axis, *at, *at + 1);
+            corpus.profile(class).skeleton
+        };
+        let slices: std::rc::Rc<[Skeleton]> = starts.iter().map(|at| slice(self, at)).collect();
+        self.slices.insert((class, axis), slices.clone());
+        slices
+    }
+
+    fn starts(&self, place: Place, axis: Axis) -> SmallVec<[i32; 8]> {
+        let (volume, bounds) = (self.volume(place), place.bounds);
+        let low = axis.of(bounds.min);
+        let mut before = None;
+        (0..bounds.len(axis))
+            .filter(|at| {
+                let own = Some(volume.hash(bounds.slab(axis, low + at, low + at + 1)));
+                std::mem::replace(&mut before, own) != own
+            })
+            .collect()
+    }
+
+    fn skeleton(&mut self, place: Place, starts: &[SmallVec<[i32; 8]>; 3]) -> Skeleton {
+        let volume = &self.volumes[place.example as usize];
+        let min = place.bounds.min;
+        let mut hasher = FxHasher::default();
+        starts.iter().for_each(|starts| hasher.write_usize(starts.len()));
+        let mut sum = hasher.finish();
+        for &y in &starts[1] {
+            for &z in &starts[2] {
+                for &x in &starts[0] {
+                    let terminal = u64::from(volume.get(min + Cell::new(x, y, z)));
+                    sum = (sum.rotate_left(5) ^ terminal.wrapping_add(1)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                }
+            }
+        }
+        let next = Skeleton(self.skeletons.len() as u32);
+        *self.skeletons.entry(sum).or_insert(next)
+    }
+}

@@ -1,0 +1,220 @@
+//! From a plan to an op graph.
+
+use super::boxes::Boxes;
+use super::corpus::{Class, Corpus};
+use super::feasible::{Feasible, Lengths, feasible};
+use super::laws::Law;
+use super::plan::{Form, How, NodeId, Plan, occurrences};
+use super::repeats::gcd;
+use crate::grammar::ast::BinaryOp;
+use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize};
+use crate::infer::emit::{block_expr, data_version, sizes};
+use crate::infer::example::{Example, Terminal, Terminals};
+use crate::infer::{Labels, Learnt, Method, naming};
+use crate::space::Axis;
+use rustc_hash::FxHashMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What was learnt, and the nodes of the plan that each of its operations stands for.
+pub struct Emitted {
+    pub learnt: Learnt,
+    pub nodes: BTreeMap<NodeIndex, Vec<NodeId>>,
+}
+
+/// The op graph of what `root` reaches.
+pub fn emit(
+    plan: &Plan,
+    corpus: &mut Corpus,
+    root: NodeId,
+    boxes: &Boxes,
+    terminals: &Terminals,
+    examples: &[Example],
+) -> Emitted {
+    let all = occurrences(plan, corpus, root, boxes);
+    let feasible = feasible(plan, root);
+    let mut emitter = Emitter {
+        plan,
+        corpus,
+        terminals,
+        feasible,
+        builder: Builder::default(),
+        nodes: FxHashMap::default(),
+    };
+    let mut places = naming::Places::new();
+    let mut made: BTreeMap<NodeIndex, Vec<NodeId>> = BTreeMap::new();
+    for (id, boxes) in all.iter().rev() {
+        let node = emitter.node(*id, boxes);
+        emitter.nodes.insert(*id, node);
+        made.entry(node).or_default().push(*id);
+        let place = emitter.corpus.profile(boxes.first()).place;
+        places.insert(node, (place.example as usize, place.bounds));
+    }
+    let node = emitter.nodes[&root];
+    let (mut graph, kept) = emitter.builder.finish(node);
+    graph.sizes = match &plan.node(root).form {
+        Form::Choose(_) => sizes(examples),
+        _ => between(examples),
+    };
+    graph.data_version = data_version(examples);
+    naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
+    let nodes = made.into_iter().filter_map(|(node, ids)| Some((*kept.get(&node)?, ids))).collect();
+    Emitted { learnt: Learnt { graph, labels: Labels::new(), by: Method::Joint }, nodes }
+}
+
+struct Emitter<'p> {
+    plan: &'p Plan,
+    corpus: &'p Corpus,
+    feasible: Feasible,
+    terminals: &'p Terminals,
+    builder: Builder,
+    nodes: FxHashMap<NodeId, NodeIndex>,
+}
+
+impl Emitter<'_> {
+    /// The node of that number, whose children are there already.
+    fn node(&mut self, id: NodeId, boxes: &Boxes) -> NodeIndex {
+        let node = self.plan.node(id);
+        match &node.form {
+            Form::Fill(terminal) => self.fill(*terminal),
+            Form::Split { axis, parts } => self.split(*axis, parts),
+            Form::Repeat { axis, unit, child } => {
+                let op =
+                    Op::Repeat { axis: Expr::Axis(*axis), size: Expr::number(f64::from(*unit)), snap: None };
+                self.builder.node(op, vec![(Arg::None, self.nodes[child])])
+            }
+            Form::Choose(children) => self.choose(id, children, boxes),
+        }
+    }
+
+    /// A choice by how often each alternative was seen. One that cannot fill every box has a condition.
+    fn choose(&mut self, id: NodeId, children: &[NodeId], boxes: &Boxes) -> NodeIndex {
+        let how = &self.plan.node(id).how;
+        let mut groups: Vec<Vec<(Class, u32)>> = vec![Vec::new(); children.len()];
+        for (class, count) in boxes.iter() {
+            if let Some(How::Choose(number)) = how.get(&class) {
+                groups[*number].push((class, count));
+            }
+        }
+        let seen: Vec<(&NodeId, &Vec<(Class, u32)>)> =
+            children.iter().zip(&groups).filter(|(_, group)| !group.is_empty()).collect();
+        if let [(only, _)] = seen.as_slice() {
+            return self.nodes[only];
+        }
+        let alternative = |(child, group): (&NodeId, &Vec<(Class, u32)>)| {
+            let condition = self.condition(*child, boxes);
+            let count: u32 = group.iter().map(|(_, count)| count).sum();
+            let weight = Expr::number(f64::from(count));
+            (Arg::Alternative(Alternative { condition, ..Alternative::plain(weight) }), self.nodes[child])
+        };
+        let alternatives = seen.into_iter().map(alternative).collect();
+        self.builder.node(Op::Choose, alternatives)
+    }
+
+    /// What has to hold of a scope that one of `boxes` was seen in, so that a node can fill it.
+    fn condition(&self, node: NodeId, boxes: &Boxes) -> Option<Expr> {
+        let axes = Axis::ALL.into_iter().filter_map(|axis| {
+            let seen: BTreeSet<i32> =
+                boxes.classes().map(|class| self.corpus.profile(class).len(axis)).collect();
+            bounds(axis, &seen, self.feasible[&node][axis.index()])
+        });
+        axes.reduce(|left, right| binary(BinaryOp::And, left, right))
+    }
+
+    fn fill(&mut self, terminal: u32) -> NodeIndex {
+        match &self.terminals.list[terminal as usize] {
+            Terminal::Block(state) if state.is_air() => self.builder.nil(),
+            Terminal::Block(state) => self.builder.primitive(block_expr(state)),
+            Terminal::Label(label) => self.builder.primitive(Expr::name(label.as_str())),
+        }
+    }
+
+    /// A split; sizes that several parts share are parameters, drawn where it is called.
+    fn split(&mut self, axis: Axis, parts: &[(Law, NodeId)]) -> NodeIndex {
+        let mut shared: Vec<usize> = parts.iter().filter_map(|(law, _)| same_as(law)).collect();
+        shared.sort_unstable();
+        shared.dedup();
+        let size = |number: usize, law: &Law| {
+            let owner = same_as(law).unwrap_or(number);
+            match shared.iter().position(|part| *part == owner) {
+                Some(param) => Size::absolute(Expr::Param(param)),
+                None => size_of(law),
+            }
+        };
+        let sized =
+            parts.iter().enumerate().map(|(number, (law, child))| (size(number, law), self.nodes[child]));
+        let sized = sized.collect();
+        let split = self.builder.split(Expr::Axis(axis), sized);
+        if shared.is_empty() {
+            return split;
+        }
+        let drawn = shared.iter().map(|part| size_of(&parts[*part].0).value).collect();
+        self.builder.node(Op::Call(drawn), vec![(Arg::None, split)])
+    }
+}
+
+fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
+    Expr::Binary(op, Box::new(left), Box::new(right))
+}
+
+/// What a length has to be, of those seen, to be one that can be filled; nothing if all can.
+fn bounds(axis: Axis, seen: &BTreeSet<i32>, feasible: Lengths) -> Option<Expr> {
+    let (low, high) = (*seen.first()?, *seen.last()?);
+    let fits: Vec<i32> = (low..=high).filter(|len| feasible.contains(*len)).collect();
+    let is = |op, len: i32| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(len)));
+    let (Some(first), Some(last)) = (fits.first(), fits.last()) else { return None };
+    let is_dense = fits.len() as i32 == last - first + 1;
+    match (is_dense, *first == low, *last == high) {
+        (true, true, true) => None,
+        (true, false, true) => Some(is(BinaryOp::GreaterEqual, *first)),
+        (true, true, false) => Some(is(BinaryOp::LessEqual, *last)),
+        _ if seen.iter().all(|len| feasible.contains(*len)) => None,
+        _ => {
+            let own = fits.iter().filter(|len| seen.contains(len)).map(|len| is(BinaryOp::Equal, *len));
+            own.reduce(|left, right| binary(BinaryOp::Or, left, right))
+        }
+    }
+}
+
+fn same_as(law: &Law) -> Option<usize> {
+    match law {
+        Law::Same(part) => Some(*part),
+        _ => None,
+    }
+}
+
+fn size_of(law: &Law) -> Size {
+    match law {
+        Law::Float(weight) => Size::floating(f64::from(*weight)),
+        law => Size::absolute(value(law)),
+    }
+}
+
+/// The value of a size that does not float.
+fn value(law: &Law) -> Expr {
+    let number = |value: i32| Expr::number(f64::from(value));
+    match law {
+        Law::Const(len) => number(*len),
+        Law::Range { low, high, step: 1 } => Expr::between(*low, *high),
+        Law::Range { low, high, step } => {
+            let steps = Expr::between(0, (high - low) / step);
+            let more = Expr::Binary(BinaryOp::Multiply, Box::new(number(*step)), Box::new(steps));
+            Expr::Binary(BinaryOp::Add, Box::new(number(*low)), Box::new(more))
+        }
+        Law::Table(entries) => {
+            Expr::Pick(entries.iter().map(|(len, count)| (number(*count as i32), number(*len))).collect())
+        }
+        Law::Float(_) | Law::Same(_) => number(1),
+    }
+}
+
+/// The sizes between those of the examples: each axis by itself.
+fn between(examples: &[Example]) -> Vec<StartSize> {
+    let size = Axis::ALL.map(|axis| {
+        let mut lens: Vec<i32> = examples.iter().map(|example| axis.of(example.bounds().size())).collect();
+        lens.sort_unstable();
+        let (low, high) = (lens[0], lens[lens.len() - 1]);
+        let step = lens.iter().map(|len| len - low).fold(0, gcd);
+        value(&if step == 0 { Law::Const(low) } else { Law::Range { low, high, step } })
+    });
+    vec![StartSize { size, weight: Expr::number(1.0) }]
+}

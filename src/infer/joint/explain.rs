@@ -1,0 +1,312 @@
+//! The search: one operation for all boxes of a rule, and the same again for what it makes of them.
+
+use super::boxes::Boxes;
+use super::corpus::{Class, Corpus};
+use super::dependence;
+use super::estimate::Estimates;
+use super::groups::groupings;
+use super::laws::{Law, Seen, fitted};
+use super::plan::{self, Form, How, NodeId, Plan};
+use super::planes::{Plane, planes};
+use super::repeats::Period;
+use crate::space::Axis;
+use rustc_hash::{FxHashMap, FxHashSet};
+use smallvec::SmallVec;
+
+/// What is known while examples are explained.
+pub struct Explainer<'c> {
+    pub corpus: &'c mut Corpus,
+    pub plan: Plan,
+    estimates: Estimates,
+    known: FxHashMap<(Boxes, Search), NodeId>,
+    /// Boxes that are mixed with no other: they are told apart from them, and keep their sizes.
+    kept: FxHashSet<Boxes>,
+}
+
+/// How many steps to look ahead: where it is none, what is estimated best is taken; else the steps that are
+/// estimated best are tried and the one is taken whose whole description is shortest.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Search(pub u8);
+
+/// So many cuts and repeats are tried, and so many choices.
+const CUTS: usize = 4;
+const CHOICES: usize = 3;
+/// So many steps that draw nothing apart are looked for.
+const SURE: usize = 8;
+/// Steps are tried whose estimate is so near to the best.
+const SLACK: f64 = 30.0;
+const SLACK_SHARE: f64 = 0.2;
+
+/// Boxes that are looked at before the search is cut short: a few seconds of work.
+const MOST_ASKED: u64 = 4_000_000;
+
+/// One way to explain boxes.
+#[derive(Clone, Debug)]
+enum Step {
+    Cut(Plane),
+    Repeat(Period),
+    Choose(Vec<Boxes>),
+}
+
+impl<'c> Explainer<'c> {
+    pub fn new(corpus: &'c mut Corpus) -> Explainer<'c> {
+        let (plan, estimates) = (Plan::default(), Estimates::default());
+        Explainer { corpus, plan, estimates, known: FxHashMap::default(), kept: FxHashSet::default() }
+    }
+
+    /// Whether a node is a choice between several boxes that share nothing.
+    pub fn tells_all_apart(&self, node: NodeId, boxes: &Boxes) -> bool {
+        match &self.plan.node(node).form {
+            Form::Choose(children) => children.len() == boxes.kinds(),
+            _ => false,
+        }
+    }
+
+    /// Whether so much was looked at that the search had to be cut short.
+    pub fn is_spent(&self) -> bool {
+        self.corpus.asked > MOST_ASKED
+    }
+
+    /// Forgets what was explained, and gives back the plan.
+    pub fn restart(&mut self) -> Plan {
+        self.known.clear();
+        std::mem::take(&mut self.plan)
+    }
+
+    /// Mixes these boxes with no other any more, once all is explained again; whether that is new.
+    pub fn keep(&mut self, boxes: &Boxes) -> bool {
+        self.kept.insert(boxes.clone())
+    }
+
+    fn is_kept(&self, boxes: &Boxes) -> bool {
+        self.kept.contains(boxes)
+    }
+
+    /// The node that describes all `boxes`.
+    pub fn explain(&mut self, boxes: &Boxes, search: Search) -> NodeId {
+        let key = (boxes.clone(), search);
+        if let Some(&known) = self.known.get(&key) {
+            return known;
+        }
+        let node = match boxes.fill(self.corpus) {
+            Some(terminal) => {
+                let how = boxes.classes().map(|class| (class, How::Fill));
+                self.plan.add(Form::Fill(terminal), how)
+            }
+            None => {
+                let step = self.best(boxes, search);
+                self.take(boxes, &step, search)
+            }
+        };
+        self.plan.note(node, boxes);
+        self.known.insert(key, node);
+        node
+    }
+
+    fn take(&mut self, boxes: &Boxes, step: &Step, search: Search) -> NodeId {
+        match step {
+            Step::Cut(plane) => self.cut(boxes, plane, search),
+            Step::Repeat(period) => self.repeat(boxes, *period, search),
+            Step::Choose(groups) => self.choose(groups, search),
+        }
+    }
+
+    /// The best step by the estimate, or of the best ones by what comes of each.
+    fn best(&mut self, boxes: &Boxes, search: Search) -> Step {
+        let steps = self.steps_in_order(boxes);
+        // Every set of boxes that is not of one block can be cut or told apart.
+        let Some((least, _)) = steps.first() else { return Step::Choose(alone(boxes)) };
+        let worst = least + SLACK + SLACK_SHARE * least;
+        if search.0 == 0 || self.is_spent() {
+            return steps.into_iter().next().map_or_else(|| Step::Choose(alone(boxes)), |(_, step)| step);
+        }
+        let (choices, cuts): (Vec<_>, Vec<_>) = steps
+            .into_iter()
+            .filter(|(bits, _)| *bits <= worst)
+            .map(|(_, step)| step)
+            .partition(|step| matches!(step, Step::Choose(_)));
+        let mut tried: Vec<Step> =
+            cuts.into_iter().take(CUTS).chain(choices.into_iter().take(CHOICES)).collect();
+        if let [_] = tried.as_slice() {
+            return tried.swap_remove(0);
+        }
+        let mut best: Option<(f64, Step)> = None;
+        for step in tried {
+            let node = self.take(boxes, &step, Search(search.0 - 1));
+            let bits = plan::bits(&self.plan, self.corpus, node, boxes);
+            if best.as_ref().is_none_or(|(least, _)| bits < *least) {
+                best = Some((bits, step));
+            }
+        }
+        best.map_or_else(|| Step::Choose(alone(boxes)), |(_, step)| step)
+    }
+
+    /// The steps from the best estimate on. Whether parts go together is asked of the first ones only: it takes
+    /// longer than the rest.
+    fn steps_in_order(&mut self, boxes: &Boxes) -> Vec<(f64, Step)> {
+        let mut steps = self.steps(boxes);
+        steps.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let mut sure = 0;
+        let mut told: Vec<(f64, Step)> = Vec::with_capacity(steps.len());
+        for (bits, step) in steps {
+            if sure >= SURE {
+                break;
+            }
+            let apart = self.apart(boxes, &step);
+            sure += usize::from(apart == 0.0);
+            told.push((bits + apart, step));
+        }
+        told.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        told
+    }
+
+    /// The bits of drawing apart what a step parts.
+    fn apart(&mut self, boxes: &Boxes, step: &Step) -> f64 {
+        let (rows, axis) = match step {
+            Step::Cut(plane) => (dependence::halves(self.corpus, boxes, plane.axis, &plane.at), plane.axis),
+            Step::Repeat(period) => (dependence::neighbours(self.corpus, boxes, *period), period.axis),
+            Step::Choose(_) => return 0.0,
+        };
+        dependence::dependence(self.corpus, &rows, axis)
+    }
+
+    fn steps(&mut self, boxes: &Boxes) -> Vec<(f64, Step)> {
+        let mut steps = Vec::new();
+        for groups in groupings(self.corpus, boxes) {
+            let bits = self.estimates.alternatives(self.corpus, &groups);
+            steps.push((bits, Step::Choose(groups)));
+        }
+        if boxes.kinds() > 1 && self.is_kept(boxes) {
+            return steps;
+        }
+        for plane in planes(self.corpus, boxes) {
+            let [left, right] = plane.halves(self.corpus, boxes);
+            let halves = self.estimates.bits(self.corpus, &left) + self.estimates.bits(self.corpus, &right);
+            steps.push((plane.bits + halves, Step::Cut(plane)));
+        }
+        for period in Period::of(self.corpus, boxes) {
+            if period.before == 0 && period.behind == 0 {
+                let units = period.units(self.corpus, boxes);
+                if units.kinds() > 1 && self.is_kept(boxes) {
+                    continue;
+                }
+                steps.push((7.0 + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
+            }
+        }
+        steps
+    }
+
+    fn cut(&mut self, boxes: &Boxes, plane: &Plane, search: Search) -> NodeId {
+        let [left, right] = plane.halves(self.corpus, boxes);
+        let halves = [self.explain(&left, search), self.explain(&right, search)];
+        let axis = plane.axis;
+        let mut children = self.parts(halves[0], axis);
+        let before = children.len();
+        children.extend(self.parts(halves[1], axis));
+        let mut starts: Vec<(Class, u32, SmallVec<[i32; 4]>)> = Vec::new();
+        for ((class, count), at) in boxes.iter().zip(&plane.at) {
+            let len = self.corpus.profile(class).len(axis);
+            let [left, right] =
+                [(0, *at), (*at, len)].map(|(low, high)| self.corpus.part(class, axis, low, high));
+            let mut own = self.starts(halves[0], axis, left);
+            own.push(*at);
+            own.extend(self.starts(halves[1], axis, right).iter().map(|start| start + at));
+            starts.push((class, count, own));
+        }
+        if self.is_one_fill(children[before - 1], children[before]) {
+            children.remove(before);
+            starts.iter_mut().for_each(|(.., own)| {
+                own.remove(before - 1);
+            });
+        }
+        self.split(boxes, axis, &children, starts)
+    }
+
+    /// The parts that a node splits into across an axis; itself if it does not.
+    fn parts(&self, node: NodeId, across: Axis) -> Vec<NodeId> {
+        match &self.plan.node(node).form {
+            Form::Split { axis, parts } if *axis == across => parts.iter().map(|(_, child)| *child).collect(),
+            _ => vec![node],
+        }
+    }
+
+    fn starts(&self, node: NodeId, across: Axis, class: Class) -> SmallVec<[i32; 4]> {
+        let node = self.plan.node(node);
+        match (&node.form, node.how.get(&class)) {
+            (Form::Split { axis, .. }, Some(How::Split(starts))) if *axis == across => starts.clone(),
+            _ => SmallVec::new(),
+        }
+    }
+
+    fn is_one_fill(&self, left: NodeId, right: NodeId) -> bool {
+        left == right && matches!(self.plan.node(left).form, Form::Fill(_))
+    }
+
+    fn split(
+        &mut self,
+        boxes: &Boxes,
+        axis: Axis,
+        children: &[NodeId],
+        starts: Vec<(Class, u32, SmallVec<[i32; 4]>)>,
+    ) -> NodeId {
+        if let [only] = children {
+            return *only;
+        }
+        let seen: Vec<Seen> = starts
+            .iter()
+            .map(|(class, count, starts)| {
+                let low = std::iter::once(0).chain(starts.iter().copied());
+                let high = starts.iter().copied().chain([self.corpus.profile(*class).len(axis)]);
+                (low.zip(high).map(|(low, high)| high - low).collect(), *count)
+            })
+            .collect();
+        let elastic: Vec<bool> = children.iter().map(|child| self.is_elastic(*child, axis)).collect();
+        let laws = match self.is_kept(boxes) {
+            true => seen[0].0.iter().map(|len| Law::Const(*len)).collect(),
+            false => fitted(&seen, &elastic),
+        };
+        let parts = laws.into_iter().zip(children.iter().copied()).collect();
+        let how = starts.into_iter().map(|(class, _, starts)| (class, How::Split(starts)));
+        self.plan.add(Form::Split { axis, parts }, how)
+    }
+
+    /// Whether a node looks alike at any length.
+    fn is_elastic(&self, node: NodeId, along: Axis) -> bool {
+        match &self.plan.node(node).form {
+            Form::Fill(_) => true,
+            Form::Split { axis, parts } if *axis != along => {
+                parts.iter().all(|(_, child)| self.is_elastic(*child, along))
+            }
+            _ => false,
+        }
+    }
+
+    fn repeat(&mut self, boxes: &Boxes, period: Period, search: Search) -> NodeId {
+        let units = period.units(self.corpus, boxes);
+        let child = self.explain(&units, search);
+        let how = boxes.classes().map(|class| (class, How::Repeat));
+        self.plan.add(Form::Repeat { axis: period.axis, unit: period.unit, child }, how)
+    }
+
+    fn choose(&mut self, groups: &[Boxes], search: Search) -> NodeId {
+        let children: Vec<NodeId> = groups.iter().map(|group| self.explain(group, search)).collect();
+        let mut distinct: Vec<NodeId> = Vec::new();
+        let mut how = Vec::new();
+        for (group, child) in groups.iter().zip(&children) {
+            let number = distinct.iter().position(|known| known == child).unwrap_or_else(|| {
+                distinct.push(*child);
+                distinct.len() - 1
+            });
+            how.extend(group.classes().map(|class| (class, How::Choose(number))));
+        }
+        match distinct.as_slice() {
+            [only] => *only,
+            _ => self.plan.add(Form::Choose(distinct), how),
+        }
+    }
+}
+
+/// Every class by itself.
+fn alone(boxes: &Boxes) -> Vec<Boxes> {
+    boxes.iter().map(|own| Boxes::of([own])).collect()
+}

@@ -1,0 +1,230 @@
+//! Laws of sizes: how the parts of one split are as long as they are, over all boxes that it describes.
+
+use super::repeats::gcd;
+use crate::space::{Length, fit};
+use std::collections::BTreeMap;
+
+/// The size of a part.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Law {
+    Const(i32),
+    /// Shares with the other floating parts, by weight, what the rest leaves.
+    Float(u32),
+    /// Any of these lengths, each the low one and some steps more; both bounds are included.
+    Range {
+        low: i32,
+        high: i32,
+        step: i32,
+    },
+    /// One of these lengths, by weight.
+    Table(Vec<(i32, u32)>),
+    /// As long as the part of that number.
+    Same(usize),
+}
+
+impl Law {
+    /// The bits of writing it down.
+    pub fn bits(&self) -> f64 {
+        2.0 + match self {
+            Law::Const(len) => integer(*len),
+            Law::Float(weight) => integer(*weight as i32),
+            Law::Range { low, high, step } => integer(*low) + integer(high - low) + integer(*step),
+            Law::Table(entries) => entries.iter().map(|(len, _)| integer(*len) + 3.0).sum(),
+            Law::Same(_) => 2.0,
+        }
+    }
+
+    /// The bits of drawing these lengths, each with how often it was seen.
+    pub fn chance(&self, mut lengths: impl Iterator<Item = (i32, u32)>) -> f64 {
+        let count = |lengths: &mut dyn Iterator<Item = (i32, u32)>| {
+            lengths.map(|(_, count)| f64::from(count)).sum::<f64>()
+        };
+        match self {
+            Law::Const(_) | Law::Float(_) | Law::Same(_) => 0.0,
+            Law::Range { low, high, step } => count(&mut lengths) * f64::from((high - low) / step + 1).log2(),
+            Law::Table(entries) => {
+                let total: u32 = entries.iter().map(|(_, count)| count).sum();
+                let share =
+                    |len: i32| entries.iter().find(|(own, _)| *own == len).map_or(1, |(_, count)| *count);
+                lengths
+                    .map(|(len, count)| f64::from(count) * (f64::from(total) / f64::from(share(len))).log2())
+                    .sum()
+            }
+        }
+    }
+}
+
+/// The bits of a whole number from 1 on, shorter for smaller ones (Elias gamma).
+pub fn integer(number: i32) -> f64 {
+    2.0 * f64::from(number.max(1)).log2().floor() + 1.0
+}
+
+/// The lengths of the parts of one split in one box, and how often that was seen.
+pub type Seen = (Vec<i32>, u32);
+
+/// The shortest laws that may give all that was seen. `elastic` tells which parts look alike at any length.
+pub fn fitted(seen: &[Seen], elastic: &[bool]) -> Vec<Law> {
+    let count = elastic.len();
+    let lengths = |part: usize| seen.iter().map(move |(lengths, _)| lengths[part]);
+    let varying: Vec<usize> =
+        (0..count).filter(|part| lengths(*part).any(|len| len != seen[0].0[*part])).collect();
+    let constant: Vec<Law> = seen[0].0.iter().map(|len| Law::Const(*len)).collect();
+    if varying.is_empty() {
+        return stretched(constant, &seen[0].0, elastic);
+    }
+    let shared = weights(varying.len()).find_map(|weights| {
+        let mut laws = constant.clone();
+        varying.iter().zip(weights).for_each(|(part, weight)| laws[*part] = Law::Float(weight));
+        seen.iter().all(|(lengths, _)| gives(&laws, lengths)).then_some(laws)
+    });
+    let drawn = || {
+        let options = varying.iter().map(|floating| drawn(seen, &constant, &varying, *floating));
+        let stiff = |laws: &[Law]| {
+            let floats = laws.iter().position(|law| matches!(law, Law::Float(_)));
+            floats.is_some_and(|part| !elastic[part])
+        };
+        let best = options.min_by(|(a, one), (b, other)| stiff(one).cmp(&stiff(other)).then(a.total_cmp(b)));
+        best.map_or_else(|| constant.clone(), |(_, laws)| laws)
+    };
+    shared.unwrap_or_else(drawn)
+}
+
+/// Laws of parts that never varied: of those that look alike at any length the longest floats, so that the split
+/// fills other scopes as well.
+fn stretched(mut laws: Vec<Law>, lengths: &[i32], elastic: &[bool]) -> Vec<Law> {
+    let longer = (0..lengths.len()).filter(|part| elastic[*part] && lengths[*part] > 1);
+    if let Some(longest) = longer.max_by_key(|part| (lengths[*part], std::cmp::Reverse(*part))) {
+        laws[longest] = Law::Float(1);
+    }
+    laws
+}
+
+/// So many different lengths tell that those between them are right as well.
+const MANY: usize = 4;
+
+/// The weights that floating parts are tried with, the simplest first.
+fn weights(parts: usize) -> impl Iterator<Item = Vec<u32>> {
+    const HEAVIEST: u32 = 3;
+    let pairs = (1..=HEAVIEST).flat_map(|sum| (1..=sum).map(move |low| (low, sum)));
+    let pairs = pairs.filter(|(low, high)| gcd(*low as i32, *high as i32) == 1);
+    let of_pair = move |(low, high): (u32, u32)| match parts {
+        1 if high == 1 => vec![vec![1]],
+        2 if low == high => vec![vec![1, 1]],
+        2 => vec![vec![low, high], vec![high, low]],
+        3 if low == high => vec![vec![1; 3]],
+        3 => vec![vec![low, high, low], vec![high, low, high]],
+        _ if high == 1 => vec![vec![1; parts]],
+        _ => Vec::new(),
+    };
+    pairs.flat_map(of_pair)
+}
+
+/// Whether laws without chance give these lengths.
+fn gives(laws: &[Law], lengths: &[i32]) -> bool {
+    let fixed = laws.iter().map(|law| match law {
+        Law::Const(len) => Length::Absolute(f64::from(*len)),
+        Law::Float(weight) => Length::Floating(f64::from(*weight)),
+        _ => Length::Floating(0.0),
+    });
+    let bounds = fit(lengths.iter().sum(), &fixed.collect::<Vec<Length>>());
+    bounds.is_ok_and(|bounds| bounds.windows(2).map(|pair| pair[1] - pair[0]).eq(lengths.iter().copied()))
+}
+
+/// One part floats, the others that vary are drawn; those that are always as long as another are so by law. With the
+/// bits of all laws and of what they leave to chance.
+fn drawn(seen: &[Seen], constant: &[Law], varying: &[usize], floating: usize) -> (f64, Vec<Law>) {
+    let mut laws = constant.to_vec();
+    laws[floating] = Law::Float(1);
+    let mut bits = 0.0;
+    let others = || varying.iter().copied().filter(move |part| *part != floating);
+    for part in others() {
+        let same = others().take_while(|other| *other < part).find(|other| {
+            !matches!(laws[*other], Law::Same(_))
+                && seen.iter().all(|(lengths, _)| lengths[*other] == lengths[part])
+        });
+        let lengths = || seen.iter().map(|(lengths, count)| (lengths[part], *count));
+        laws[part] = same.map_or_else(|| law_of(lengths()), Law::Same);
+        bits += laws[part].bits() + laws[part].chance(lengths());
+    }
+    (bits, laws)
+}
+
+/// The shortest law of lengths that are left to chance: a range where they fill it about evenly, else a table. What
+/// lies between a few lengths may never be right, as with windows of 2, 3 and 5; between many it is.
+pub fn law_of(lengths: impl Iterator<Item = (i32, u32)>) -> Law {
+    let mut counts: BTreeMap<i32, u32> = BTreeMap::new();
+    lengths.for_each(|(len, count)| *counts.entry(len).or_insert(0) += count);
+    let table = Law::Table(counts.iter().map(|(len, count)| (*len, *count)).collect());
+    let (Some((low, _)), Some((high, _))) = (counts.first_key_value(), counts.last_key_value()) else {
+        return table;
+    };
+    if low == high {
+        return Law::Const(*low);
+    }
+    let step = counts.keys().map(|len| len - low).fold(0, gcd);
+    let range = Law::Range { low: *low, high: *high, step };
+    let cost = |law: &Law| law.bits() + law.chance(counts.iter().map(|(len, count)| (*len, *count)));
+    let lens: Vec<i32> = counts.keys().copied().collect();
+    let is_full = lens.windows(2).all(|pair| pair[1] - pair[0] == step);
+    let is_dense = lens.len() >= MANY && lens.windows(2).all(|pair| pair[1] - pair[0] <= 3 * step);
+    if (is_full || is_dense) && cost(&range) <= cost(&table) { range } else { table }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whether a law may give that length on its own.
+    fn allows(law: &Law, len: i32) -> bool {
+        match law {
+            Law::Const(own) => *own == len,
+            Law::Float(_) | Law::Same(_) => true,
+            Law::Range { low, high, step } => (*low..=*high).contains(&len) && (len - low) % step == 0,
+            Law::Table(entries) => entries.iter().any(|(own, _)| *own == len),
+        }
+    }
+
+    fn laws_of(seen: &[&[i32]], elastic: &[bool]) -> Vec<Law> {
+        let seen: Vec<Seen> = seen.iter().map(|lengths| (lengths.to_vec(), 1)).collect();
+        let laws = fitted(&seen, elastic);
+        for (lengths, _) in &seen {
+            assert!(laws.iter().zip(lengths).all(|(law, len)| allows(law, *len)), "{laws:?}");
+        }
+        laws
+    }
+
+    #[test]
+    fn what_does_not_vary_is_constant_and_the_rest_floats() {
+        let laws = laws_of(&[&[1, 5, 1], &[1, 8, 1]], &[true; 3]);
+        assert_eq!(laws, [Law::Const(1), Law::Float(1), Law::Const(1)]);
+    }
+
+    #[test]
+    fn shares_are_found() {
+        let laws = laws_of(&[&[6, 3], &[7, 4], &[8, 4]], &[true; 2]);
+        assert_eq!(laws, [Law::Float(2), Law::Float(1)]);
+    }
+
+    #[test]
+    fn equal_lengths_are_drawn_once() {
+        let laws = laws_of(&[&[1, 3, 1], &[2, 2, 2], &[2, 5, 2]], &[true; 3]);
+        assert_eq!(laws, [Law::Range { low: 1, high: 2, step: 1 }, Law::Float(1), Law::Same(0)]);
+    }
+
+    #[test]
+    fn what_never_varied_stretches_where_it_looks_alike() {
+        let laws = laws_of(&[&[1, 4, 2]], &[true, true, false]);
+        assert_eq!(laws, [Law::Const(1), Law::Float(1), Law::Const(2)]);
+        assert_eq!(laws_of(&[&[1, 4]], &[false; 2]), [Law::Const(1), Law::Const(4)]);
+    }
+
+    #[test]
+    fn ranges_have_steps_and_tables_are_for_what_is_uneven() {
+        let law = |lengths: &[i32]| law_of(lengths.iter().map(|len| (*len, 1)));
+        assert_eq!(law(&[7, 9, 11]), Law::Range { low: 7, high: 11, step: 2 });
+        assert_eq!(law(&[2, 3, 5]), Law::Table(vec![(2, 1), (3, 1), (5, 1)]));
+        assert_eq!(law(&[2, 3, 5, 6]), Law::Range { low: 2, high: 6, step: 1 });
+        let uneven: Vec<i32> = (0..30).map(|number| if number == 0 { 20 } else { 3 }).collect();
+        assert!(matches!(law(&uneven), Law::Table(_)));
+    }
+}

@@ -1,0 +1,265 @@
+//! The rules that were found, before they are an op graph.
+
+use super::boxes::Boxes;
+use super::corpus::{Class, Corpus};
+use super::dependence::dependence;
+use super::estimate::choice;
+use super::laws::{Law, integer};
+use crate::space::Axis;
+use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct NodeId(pub u32);
+
+/// One operation for all boxes that a node stands for.
+#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+pub enum Form {
+    Fill(u32),
+    Split {
+        axis: Axis,
+        parts: Vec<(Law, NodeId)>,
+    },
+    /// Units of about one length fill the box.
+    Repeat {
+        axis: Axis,
+        unit: i32,
+        child: NodeId,
+    },
+    Choose(Vec<NodeId>),
+}
+
+/// How a node describes the boxes of one class.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum How {
+    Fill,
+    /// Where the parts start, from the second one on.
+    Split(SmallVec<[i32; 4]>),
+    Repeat,
+    /// The number of the alternative.
+    Choose(usize),
+}
+
+#[derive(Clone, Debug)]
+pub struct Node {
+    pub form: Form,
+    /// By class, all that it was made for.
+    pub how: FxHashMap<Class, How>,
+    /// Every set of boxes that it was made for.
+    pub made_for: Vec<Boxes>,
+}
+
+/// Nodes by their form: what is equal is one node.
+#[derive(Default, Debug)]
+pub struct Plan {
+    nodes: Vec<Node>,
+    known: FxHashMap<Form, NodeId>,
+}
+
+impl Plan {
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+
+    /// The node of that form, which now describes these classes too.
+    pub fn add(&mut self, form: Form, how: impl IntoIterator<Item = (Class, How)>) -> NodeId {
+        let next = NodeId(self.nodes.len() as u32);
+        let id = *self.known.entry(form.clone()).or_insert(next);
+        if id == next {
+            self.nodes.push(Node { form, how: FxHashMap::default(), made_for: Vec::new() });
+        }
+        self.nodes[id.0 as usize].how.extend(how);
+        id
+    }
+
+    /// Notes that a node was made for these boxes.
+    pub fn note(&mut self, id: NodeId, boxes: &Boxes) {
+        let made_for = &mut self.nodes[id.0 as usize].made_for;
+        if !made_for.contains(boxes) {
+            made_for.push(boxes.clone());
+        }
+    }
+
+    pub fn children(&self, id: NodeId) -> Vec<NodeId> {
+        match &self.node(id).form {
+            Form::Fill(_) => Vec::new(),
+            Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
+            Form::Repeat { child, .. } => vec![*child],
+            Form::Choose(children) => children.clone(),
+        }
+    }
+
+    /// What `root` reaches, each once, children first.
+    pub fn reachable(&self, root: NodeId) -> Vec<NodeId> {
+        let mut order = Vec::new();
+        let mut seen = vec![false; self.nodes.len()];
+        let mut open = vec![(root, false)];
+        while let Some((id, is_done)) = open.pop() {
+            if is_done {
+                order.push(id);
+            } else if !std::mem::replace(&mut seen[id.0 as usize], true) {
+                open.push((id, true));
+                open.extend(self.children(id).into_iter().rev().map(|child| (child, false)));
+            }
+        }
+        order
+    }
+}
+
+/// The bits of describing `boxes` by `root`: of every operation once, and of all that is left to chance.
+pub fn bits(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes) -> f64 {
+    let all = occurrences(plan, corpus, root, boxes);
+    let reference = f64::from(all.len() as u32).log2();
+    let mut shapes = Shapes::default();
+    let mut bits = 0.0;
+    for (id, boxes) in all.iter().rev() {
+        let node = plan.node(*id);
+        // A second node of a shape says its sizes only: such nodes become one where that is shorter.
+        let is_new = shapes.add(plan, *id);
+        let children = if is_new { plan.children(*id).len() } else { 1 };
+        bits += model(&node.form, is_new) + reference * children as f64;
+        bits += chance(node, corpus, boxes) + apart(plan, corpus, *id, boxes);
+    }
+    bits
+}
+
+/// Nodes by their form without its sizes.
+#[derive(Default)]
+struct Shapes {
+    known: FxHashMap<(u8, Vec<u32>), u32>,
+    of: FxHashMap<NodeId, u32>,
+}
+
+impl Shapes {
+    /// Whether a node, whose children were added before, is the first of its shape.
+    fn add(&mut self, plan: &Plan, id: NodeId) -> bool {
+        let mut children: Vec<u32> = plan.children(id).iter().map(|child| self.of[child]).collect();
+        let kind = match &plan.node(id).form {
+            Form::Fill(terminal) => {
+                children.push(*terminal);
+                0
+            }
+            Form::Split { axis, .. } => 1 + axis.index() as u8,
+            Form::Repeat { axis, .. } => 4 + axis.index() as u8,
+            Form::Choose(_) => {
+                children.sort_unstable();
+                children.dedup();
+                7
+            }
+        };
+        let next = self.known.len() as u32;
+        let shape = *self.known.entry((kind, children)).or_insert(next);
+        self.of.insert(id, shape);
+        shape == next
+    }
+}
+
+/// The bits of drawing apart what goes together: the parts of a split, and units that stand side by side.
+fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
+    let parts = |corpus: &mut Corpus, class| -> Vec<Class> {
+        inside(plan, corpus, id, class).into_iter().map(|(_, part)| part).collect()
+    };
+    let form = &plan.node(id).form;
+    let rows: Vec<(Vec<Class>, u32)> = match form {
+        Form::Split { .. } => boxes.iter().map(|(class, count)| (parts(corpus, class), count)).collect(),
+        Form::Repeat { .. } => {
+            let units = boxes.iter().map(|(class, count)| (parts(corpus, class), count)).collect::<Vec<_>>();
+            let pair = |(units, count): &(Vec<Class>, u32)| {
+                units.windows(2).map(|pair| (pair.to_vec(), *count)).collect::<Vec<_>>()
+            };
+            units.iter().flat_map(pair).collect()
+        }
+        _ => Vec::new(),
+    };
+    match form {
+        Form::Split { axis, .. } | Form::Repeat { axis, .. } => dependence(corpus, &rows, *axis),
+        _ => 0.0,
+    }
+}
+
+/// The bits of what a node leaves to chance.
+fn chance(node: &Node, corpus: &Corpus, boxes: &Boxes) -> f64 {
+    match &node.form {
+        Form::Fill(_) | Form::Repeat { .. } => 0.0,
+        Form::Split { axis, parts } => {
+            let lengths = |number: usize| {
+                boxes.iter().filter_map(move |(class, count)| {
+                    let Some(How::Split(starts)) = node.how.get(&class) else { return None };
+                    let low = number.checked_sub(1).map_or(0, |before| starts[before]);
+                    let high =
+                        starts.get(number).copied().unwrap_or_else(|| corpus.profile(class).len(*axis));
+                    Some((high - low, count))
+                })
+            };
+            parts.iter().enumerate().map(|(number, (law, _))| law.chance(lengths(number))).sum()
+        }
+        Form::Choose(children) => {
+            let mut counts = vec![0; children.len()];
+            for (class, count) in boxes.iter() {
+                if let Some(How::Choose(number)) = node.how.get(&class) {
+                    counts[*number] += count;
+                }
+            }
+            counts.retain(|count| *count > 0);
+            choice(counts.iter())
+        }
+    }
+}
+
+/// The bits of a form without its references; of one whose shape is known, those of its sizes.
+fn model(form: &Form, is_new: bool) -> f64 {
+    const KIND: f64 = 2.0;
+    const AXIS: f64 = 1.6;
+    let (structure, sizes) = match form {
+        Form::Fill(_) => (KIND + 6.0, 0.0),
+        Form::Split { parts, .. } => {
+            (KIND + AXIS + integer(parts.len() as i32), parts.iter().map(|(law, _)| law.bits()).sum())
+        }
+        Form::Repeat { unit, .. } => (KIND + AXIS, integer(*unit)),
+        Form::Choose(children) => (KIND + integer(children.len() as i32) + 3.0 * children.len() as f64, 0.0),
+    };
+    if is_new { structure + sizes } else { KIND + sizes }
+}
+
+/// Every box that each node stands for, from the boxes of the root on. A node comes after all that lead to it.
+pub fn occurrences(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes) -> Vec<(NodeId, Boxes)> {
+    let mut found: FxHashMap<NodeId, Vec<(Class, u32)>> = FxHashMap::default();
+    found.insert(root, boxes.iter().collect());
+    let mut order = plan.reachable(root);
+    order.reverse();
+    let mut all = Vec::with_capacity(order.len());
+    for id in order {
+        let boxes = Boxes::of(found.remove(&id).unwrap_or_default());
+        for (class, count) in boxes.iter() {
+            for (child, part) in inside(plan, corpus, id, class) {
+                found.entry(child).or_default().push((part, count));
+            }
+        }
+        all.push((id, boxes));
+    }
+    all
+}
+
+/// The parts of a box of that class under a node, each with the node that describes it.
+pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec<(NodeId, Class)> {
+    let node = plan.node(id);
+    match (&node.form, node.how.get(&class)) {
+        (Form::Split { axis, parts }, Some(How::Split(starts))) => {
+            let len = corpus.profile(class).len(*axis);
+            let low = std::iter::once(0).chain(starts.iter().copied());
+            let high = starts.iter().copied().chain([len]);
+            let bounds: Vec<(i32, i32)> = low.zip(high).collect();
+            let part = |((_, child), (low, high)): (&(Law, NodeId), (i32, i32))| {
+                (*child, corpus.part(class, *axis, low, high))
+            };
+            parts.iter().zip(bounds).map(part).collect()
+        }
+        (Form::Repeat { axis, unit, child }, Some(How::Repeat)) => {
+            let len = corpus.profile(class).len(*axis);
+            let starts = (0..len).step_by(*unit as usize);
+            starts.map(|at| (*child, corpus.part(class, *axis, at, at + unit))).collect()
+        }
+        (Form::Choose(children), Some(How::Choose(number))) => vec![(children[*number], class)],
+        _ => Vec::new(),
+    }
+}

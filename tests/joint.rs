@@ -1,0 +1,81 @@
+//! Joint induction: what it learns of known grammars from their samples.
+
+mod grammar_files;
+
+use grammar_files::{GrammarFile, all_in};
+use vox::graph::OpGraph;
+use vox::grid::Grid;
+use vox::infer::{Example, Freedom, Learnt, Method, infer};
+use vox::parse::{Laws, Parser};
+use vox::run::Library;
+use vox::score::{Agreement, Alphabet, Samples, Seams, agreement, unseen_seams};
+
+fn truth(name: &str) -> GrammarFile {
+    let mut files = all_in("tests/truth").into_iter();
+    files
+        .find(|file| file.name() == format!("tests/truth/{name}.grammar"))
+        .unwrap_or_else(|| panic!("there is no {name}"))
+}
+
+fn examples(graph: &OpGraph, count: usize) -> Vec<Grid> {
+    Samples::draw(graph, &Library::new(), 0, count).made
+}
+
+fn learnt(grids: &[Grid], freedom: Freedom) -> Learnt {
+    let examples: Vec<Example> = grids.iter().cloned().map(Example::Blocks).collect();
+    infer(&examples, Method::Joint, freedom).unwrap()
+}
+
+#[test]
+fn every_example_is_reproduced() {
+    for file in all_in("tests/truth") {
+        let grids = examples(&file.graph(), 5);
+        for freedom in [Freedom::Seen, Freedom::Free] {
+            let graph = learnt(&grids, freedom).graph;
+            let parser = Parser::new(&graph, Laws::AsWritten);
+            assert!(grids.iter().all(|grid| parser.derives(grid)), "{}, {freedom:?}", file.name());
+        }
+    }
+}
+
+#[test]
+fn samples_show_what_the_examples_show() {
+    for file in all_in("tests/truth") {
+        let grids = examples(&file.graph(), 5);
+        let graph = learnt(&grids, Freedom::Seen).graph;
+        let samples = examples(&graph, 24);
+        assert_eq!(samples.len(), 24, "{}: some samples fail", file.name());
+        let mut alphabet = Alphabet::default();
+        let [samples, shown] = [&samples, &grids].map(|grids| alphabet.all(grids));
+        assert_eq!(unseen_seams(&samples, &Seams::of(&shown)), 0.0, "{}", file.name());
+    }
+}
+
+/// From ten examples; how much of the rest is learnt is measured by `benches/induction.rs`.
+#[test]
+fn known_grammars_are_learnt_back() {
+    for (name, least) in [("tower", 0.95), ("turned", 0.95), ("cottage", 0.6), ("walls-by-axis", 0.6)] {
+        let truth = truth(name).graph();
+        let grids = examples(&truth, 10);
+        let learnt = learnt(&grids, Freedom::Seen);
+        assert_eq!(learnt.by, Method::Joint);
+        let Agreement { precision, recall, .. } =
+            agreement(&learnt.graph, &truth, &Library::new(), &grids, 1000, 40);
+        assert!(precision >= 0.95, "{name}: precision {precision}");
+        assert!(recall >= least, "{name}: recall {recall}");
+    }
+}
+
+#[test]
+fn the_same_examples_give_the_same_grammar() {
+    let grids = examples(&truth("cottage").graph(), 5);
+    let [one, other] = [0, 1].map(|_| vox::graph::raise(&learnt(&grids, Freedom::Seen).graph).to_string());
+    assert_eq!(one, other);
+}
+
+#[test]
+fn buildings_that_share_nothing_are_learnt_by_themselves() {
+    let grids = ["tower", "garage", "clutter"].map(|name| examples(&truth(name).graph(), 1).remove(0));
+    assert_eq!(learnt(&grids, Freedom::Seen).by, Method::Boxes);
+    assert_eq!(learnt(&grids[..1], Freedom::Seen).by, Method::Boxes);
+}
