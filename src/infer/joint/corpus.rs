@@ -2,6 +2,7 @@
 
 use super::seams::Seams;
 use super::volume::Volume;
+use crate::grid::Content;
 use crate::space::{Axis, Bounds, Cell};
 use rustc_hash::{FxHashMap, FxHasher};
 use smallvec::SmallVec;
@@ -52,7 +53,7 @@ impl Profile {
 #[derive(Debug)]
 pub struct Corpus {
     volumes: Vec<Volume>,
-    classes: FxHashMap<(u64, Cell), Class>,
+    classes: FxHashMap<Content, Class>,
     profiles: Vec<Profile>,
     skeletons: FxHashMap<u64, Skeleton>,
     /// By class and axis: the skeletons of the slices that differ from the one before.
@@ -99,7 +100,7 @@ impl Corpus {
 
     pub fn class(&mut self, place: Place) -> Class {
         self.asked += 1;
-        let key = (self.volume(place).hash(place.bounds), place.bounds.size());
+        let key = self.volume(place).content(place.bounds);
         if let Some(&known) = self.classes.get(&key) {
             return known;
         }
@@ -163,7 +164,7 @@ impl Corpus {
         let mut before = None;
         (0..bounds.len(axis))
             .filter(|at| {
-                let own = Some(volume.hash(bounds.slab(axis, low + at, low + at + 1)));
+                let own = Some(volume.content(bounds.slab(axis, low + at, low + at + 1)));
                 std::mem::replace(&mut before, own) != own
             })
             .collect()
