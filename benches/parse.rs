@@ -35,7 +35,11 @@ fn derives(c: &mut Criterion) {
         group.throughput(Throughput::Elements(houses.len() as u64));
         group.sample_size(20);
         println!("{name}: {} cells a house", cells / houses.len() as u64);
-        for (laws, word) in [(Laws::AsWritten, "as written"), (Laws::Widened, "widened")] {
+        let laws = [(Laws::AsWritten, "as written"), (Laws::Widened, "widened")];
+        // Large houses have too many boxes to be parsed with lengths of any kind in a bench.
+        for (laws, word) in
+            laws.into_iter().filter(|(laws, _)| *laws == Laws::AsWritten || name != "better-roofs")
+        {
             group.bench_function(format!("40 houses, {word}"), |b| {
                 b.iter_batched_ref(
                     || Parser::new(&graph, laws),

@@ -37,6 +37,12 @@ pub fn settle(grid: &mut Grid) -> Result<(), PaletteFull> {
 /// Settles a grid whose states are of `version`.
 fn settle_in(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {
     grid.variants.iter_mut().try_for_each(|variant| settle_in(variant, version))?;
+    ask(grid, version)?;
+    complete(grid, version)
+}
+
+/// Gives every open state of the grid what its neighbours ask for, and nothing else.
+fn ask(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {
     if grid.palette().states().iter().any(joint::is_open) {
         let mut site = Site::new(grid, version);
         halves::settle(&mut site)?;
@@ -46,7 +52,7 @@ fn settle_in(grid: &mut Grid, version: Version) -> Result<(), PaletteFull> {
         site.each(&JOINED, joined)?;
         site.each(&[Joint::Wall], walls::arms_and_post)?;
     }
-    complete(grid, version)
+    Ok(())
 }
 
 /// Blocks whose answers do not depend on each other's.

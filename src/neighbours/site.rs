@@ -6,11 +6,13 @@ use crate::grid::Grid;
 use crate::space::Cell;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// The properties that a rule gives to a block.
 pub type Answer = SmallVec<[(&'static str, &'static str); 6]>;
 
-/// What the rules ask of a block. Made once for each entry of the palette.
+/// What the rules ask of a block.
 pub struct Block {
     pub joint: Option<Joint>,
     pub open: bool,
@@ -24,7 +26,29 @@ pub struct Block {
 /// Blocks with whole sides that nothing joins to.
 const UNJOINED: [&str; 5] = ["barrier", "carved_pumpkin", "jack_o_lantern", "melon", "pumpkin"];
 
+/// Blocks that a thread remembers, at the most: their names are looked up in long tables.
+const MOST_REMEMBERED: usize = 1 << 13;
+
+thread_local! {
+    static REMEMBERED: RefCell<FxHashMap<BlockState, Rc<Block>>> = RefCell::default();
+}
+
 impl Block {
+    /// What was found when the state was last asked for.
+    fn remembered(state: &BlockState) -> Rc<Block> {
+        REMEMBERED.with_borrow_mut(|known| {
+            if let Some(block) = known.get(state) {
+                return block.clone();
+            }
+            if known.len() >= MOST_REMEMBERED {
+                known.clear();
+            }
+            let block = Rc::new(Block::of(state));
+            known.insert(state.clone(), block.clone());
+            block
+        })
+    }
+
     fn of(state: &BlockState) -> Block {
         let name = state.short_name();
         let unjoined = UNJOINED.contains(&name) || name.ends_with("shulker_box") || name.ends_with("_leaves");
@@ -45,13 +69,13 @@ pub struct Site<'g> {
     grid: &'g mut Grid,
     /// What the states are of; the rules speak as the newest version does.
     version: Version,
-    blocks: Vec<Block>,
+    blocks: Vec<Rc<Block>>,
     answers: FxHashMap<(u16, Answer), u16>,
 }
 
 impl<'g> Site<'g> {
     pub fn new(grid: &'g mut Grid, version: Version) -> Site<'g> {
-        let blocks = grid.palette().states().iter().map(Block::of).collect();
+        let blocks = grid.palette().states().iter().map(Block::remembered).collect();
         Site { grid, version, blocks, answers: FxHashMap::default() }
     }
 
@@ -135,7 +159,7 @@ impl<'g> Site<'g> {
     fn intern(&mut self, state: &BlockState) -> Result<u16, PaletteFull> {
         let id = self.grid.intern(state)?;
         if usize::from(id) == self.blocks.len() {
-            self.blocks.push(Block::of(state));
+            self.blocks.push(Block::remembered(state));
         }
         Ok(id)
     }

@@ -1,5 +1,5 @@
-use super::{bare, settle_in};
-use crate::block::{PaletteFull, Version};
+use super::{ask, bare, complete, settle_in};
+use crate::block::{self, PaletteFull, Version};
 use crate::grid::Grid;
 
 /// Rounds after which everything stays written that neighbours could decide.
@@ -31,7 +31,11 @@ fn open(whole: &Grid, version: Version) -> Result<Option<Grid>, PaletteFull> {
     for _ in 0..MOST_ROUNDS {
         let open = bared(whole, &written)?;
         let mut settled = open.clone();
-        settle_in(&mut settled, version)?;
+        ask(&mut settled, version)?;
+        // Most often the neighbours have said all that was left out. States that no cell holds any more do not count.
+        if !is_complete(&settled) {
+            complete(&mut settled, version)?;
+        }
         let differing = differing(whole, &settled);
         if differing.is_empty() {
             return Ok(Some(open));
@@ -50,6 +54,12 @@ fn bared(whole: &Grid, written: &[bool]) -> Result<Grid, PaletteFull> {
         grid.set(cell, bare[usize::from(whole.id(cell))]);
     }
     Ok(grid)
+}
+
+/// Whether every cell holds a state that says everything.
+fn is_complete(grid: &Grid) -> bool {
+    let complete: Vec<bool> = grid.palette().states().iter().map(block::is_complete).collect();
+    grid.cells().iter().all(|id| complete[usize::from(*id)])
 }
 
 /// The cells, by number, that hold something else than `whole` has there.

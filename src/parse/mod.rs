@@ -21,7 +21,7 @@ mod target;
 mod value;
 mod widened;
 
-use crate::block::PaletteFull;
+use crate::block::{PaletteFull, Version};
 use crate::graph::OpGraph;
 use crate::grid::{Grid, LabelledBoxes};
 use crate::run::Library;
@@ -32,7 +32,7 @@ use looks::Looks;
 use rustc_hash::FxHashMap;
 use search::{Memory, Rules, Search};
 use states::States;
-use std::cell::RefCell;
+use std::cell::{RefCell, RefMut};
 use std::collections::BTreeMap;
 use surroundings::{Known, tables};
 use target::{Blocks, Placed, Target};
@@ -79,11 +79,7 @@ impl<'g> Parser<'g> {
     pub fn new(graph: &'g OpGraph, laws: Laws) -> Parser<'g> {
         let needs = needs::needs(graph);
         let rules = Rules { graph, laws, needs, library: &NO_LIBRARY, labels: &NO_LABELS };
-        Parser {
-            rules,
-            memory: RefCell::new(Memory::of(Grid::new(Default::default()).version())),
-            steps: MOST_STEPS,
-        }
+        Parser { rules, memory: RefCell::new(Memory::of(Version::newest())), steps: MOST_STEPS }
     }
 
     /// With the schematic files that the graph names.
@@ -105,8 +101,10 @@ impl<'g> Parser<'g> {
 
     /// The cheapest derivation of a grid, on a scope of its size; or what no derivation explains.
     pub fn parse(&self, grid: &Grid) -> Result<Derivation, Unexplained> {
-        let mut memory = self.ready(grid);
-        let blocks = Blocks::of(grid, &mut memory.states).map_err(|PaletteFull| Unexplained::unread(grid))?;
+        let version = grid.data_version();
+        let mut memory = self.ready(version);
+        let blocks =
+            Blocks::of(grid, version, &mut memory.states).map_err(|PaletteFull| Unexplained::unread(grid))?;
         self.parse_target(&mut memory, &Target::Blocks(blocks))
     }
 
@@ -121,8 +119,9 @@ impl<'g> Parser<'g> {
 
     /// Whether there is a derivation of a grid: cheaper than to find out what is not explained.
     pub fn derives(&self, grid: &Grid) -> bool {
-        let mut memory = self.ready(grid);
-        let blocks = Blocks::of(grid, &mut memory.states);
+        let version = grid.data_version();
+        let mut memory = self.ready(version);
+        let blocks = Blocks::of(grid, version, &mut memory.states);
         blocks.is_ok_and(|blocks| self.search(&mut memory, &Target::Blocks(blocks), Rigour::Exact).is_ok())
     }
 
@@ -135,10 +134,12 @@ impl<'g> Parser<'g> {
         found.is_ok()
     }
 
-    fn ready(&self, grid: &Grid) -> std::cell::RefMut<'_, Memory> {
+    /// The memory for a building of that version; what is remembered of others does not hold for it.
+    fn ready(&self, data_version: i32) -> RefMut<'_, Memory> {
         let mut memory = self.memory.borrow_mut();
-        if memory.states.version() != grid.version() || memory.chart.is_full() {
-            *memory = Memory::of(grid.version());
+        let version = Version::of_data(data_version).unwrap_or(Version::oldest());
+        if memory.states.version() != version || memory.chart.is_full() {
+            *memory = Memory::of(version);
         }
         memory
     }
@@ -190,7 +191,7 @@ impl<'g> Parser<'g> {
 }
 
 impl Memory {
-    fn of(version: crate::block::Version) -> Memory {
+    fn of(version: Version) -> Memory {
         Memory {
             states: States::of(version),
             known: Known::default(),

@@ -23,6 +23,8 @@ pub struct States {
     /// The version of the game that the states are of.
     version: Version,
     numbers: FxHashMap<BlockState, StateId>,
+    /// The numbers of states as grammars write them.
+    written: FxHashMap<BlockState, StateId>,
     kinds: Vec<Kind>,
     kind_numbers: FxHashMap<(StateId, StateId), KindId>,
 }
@@ -42,7 +44,13 @@ impl States {
     pub fn of(version: Version) -> States {
         let numbers = FxHashMap::from_iter([(BlockState::air(), States::AIR)]);
         let free = Kind { open: States::AIR, settled: States::AIR };
-        States { version, numbers, kinds: vec![free], kind_numbers: FxHashMap::default() }
+        States {
+            version,
+            numbers,
+            written: FxHashMap::default(),
+            kinds: vec![free],
+            kind_numbers: FxHashMap::default(),
+        }
     }
 
     pub fn version(&self) -> Version {
@@ -61,10 +69,15 @@ impl States {
     /// The number of a state that a grammar writes: what the version has and the state leaves out is at its default,
     /// but for what neighbours decide.
     pub fn written(&mut self, state: &BlockState) -> StateId {
+        if let Some(&id) = self.written.get(state) {
+            return id;
+        }
         let keys = decided(state).iter().filter(|key| state.get(key).is_none());
         let full = complete_in(state, self.version);
         let open = keys.fold(full, |open, key| open.without(key));
-        self.number(&open)
+        let id = self.number(&open);
+        self.written.insert(state.clone(), id);
+        id
     }
 
     pub fn kind(&mut self, open: StateId, settled: StateId) -> KindId {

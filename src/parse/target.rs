@@ -37,11 +37,11 @@ pub struct Placed<'e> {
 }
 
 impl Blocks {
-    /// The blocks of a grid, as they are when all neighbours have had their say, and as a grammar writes them.
-    pub fn of(grid: &Grid, states: &mut States) -> Result<Blocks, PaletteFull> {
+    /// The blocks of a grid of that data version, as they are when all neighbours have had their say, and as a grammar writes them.
+    pub fn of(grid: &Grid, data_version: i32, states: &mut States) -> Result<Blocks, PaletteFull> {
         let bare = Grid::from_cells(grid.cells().clone(), grid.palette().clone());
         let mut settled = bare.unwrap_or_else(|| Grid::new(Cell::ZERO));
-        settled.metadata.data_version = grid.metadata.data_version;
+        settled.metadata.data_version = Some(data_version);
         settle(&mut settled)?;
         let mut open = settled.clone();
         unsettle(&mut open)?;
