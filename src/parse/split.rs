@@ -13,6 +13,9 @@ use crate::space::{Axis, Length, Scope, fit, shares};
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
 
+/// The parts of one split, which are few.
+type Few<T> = SmallVec<[T; 8]>;
+
 /// A part of a split that is laid out: from where to where it reaches.
 #[derive(Clone, Copy, Debug)]
 pub struct Laid {
@@ -31,9 +34,6 @@ pub struct Row<'s> {
     pub scope: &'s Scope,
     pub axis: Axis,
 }
-
-/// What stands in the parts of a split.
-type Parts = SmallVec<[NodeIndex; 8]>;
 
 impl Row<'_> {
     pub fn total(&self) -> i32 {
@@ -61,7 +61,7 @@ impl Search<'_, '_> {
             return self.widened(row, groups);
         }
         let (laws, children) = self.laws(row)?;
-        match laws.iter().map(Law::certain).collect::<Option<SmallVec<[Length; 8]>>>() {
+        match laws.iter().map(Law::certain).collect::<Option<Few<Length>>>() {
             Some(lengths) => self.fixed(row, &lengths, &children, groups, Cost::NONE),
             None if groups.is_empty() => self.free(row, &laws, &children),
             None => self.every_way(row, &laws, &children, groups),
@@ -69,7 +69,7 @@ impl Search<'_, '_> {
     }
 
     /// What the parts of a split may measure, and their children.
-    pub fn laws(&self, row: Row<'_>) -> Option<(SmallVec<[Law; 8]>, Parts)> {
+    pub fn laws(&self, row: Row<'_>) -> Option<(Few<Law>, Few<NodeIndex>)> {
         let sight = self.sight(row.around, row.scope);
         let (mut laws, mut children) = (SmallVec::new(), SmallVec::new());
         for (arg, child) in self.rules.graph.children(row.node) {
@@ -105,7 +105,7 @@ impl Search<'_, '_> {
         let laid = ends.windows(2).enumerate();
         let laid =
             laid.map(|(at, ends)| Laid { child: child(at), low: ends[0], high: ends[1], number: at as u32 });
-        self.row(row, &laid.collect::<SmallVec<[Laid; 8]>>(), cost)
+        self.row(row, &laid.collect::<Few<Laid>>(), cost)
     }
 
     /// All parts of a row. Where every cell counts, what is seen at once is looked at first.
