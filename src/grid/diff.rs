@@ -148,26 +148,17 @@ fn same_variants(a: &Grid, b: &Grid) -> bool {
 mod tests {
     use super::*;
 
-    fn row(names: &[&str]) -> Grid {
-        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
-        for (x, name) in (0..).zip(names) {
-            let id = grid.intern(&name.parse().unwrap()).unwrap();
-            grid.set(Cell::new(x, 0, 0), id);
-        }
-        grid
-    }
-
     #[test]
     fn what_is_written_in_another_way_is_the_same() {
-        let a = row(&["stone", "oak_slab", "air"]);
-        let b = row(&["stone", "oak_slab[type=bottom]", "air"]);
+        let a = Grid::row(&["stone", "oak_slab", "air"]);
+        let b = Grid::row(&["stone", "oak_slab[type=bottom]", "air"]);
         assert!(Diff::of(&a, &b).is_none());
     }
 
     #[test]
     fn blocks_are_counted_by_what_becomes_of_them() {
-        let a = row(&["stone", "dirt", "stone", "stone"]);
-        let b = row(&["glass", "dirt", "glass", "dirt", "dirt"]);
+        let a = Grid::row(&["stone", "dirt", "stone", "stone"]);
+        let b = Grid::row(&["glass", "dirt", "glass", "dirt", "dirt"]);
         let diff = Diff::of(&a, &b);
         let found: Vec<_> =
             diff.blocks.iter().map(|diff| (diff.count, diff.states[1].short(), diff.first.x)).collect();
@@ -178,13 +169,13 @@ mod tests {
     #[test]
     fn all_else_is_compared() {
         let cow = |x: f64| Entity { place: [x, 0.0, 0.0], block: None, data: Compound::new() };
-        let (mut a, mut b) = (row(&["stone"]), row(&["stone"]));
+        let (mut a, mut b) = (Grid::row(&["stone"]), Grid::row(&["stone"]));
         a.block_entities.insert([0; 3], Compound::new());
         a.metadata.entities = vec![cow(0.0), cow(0.5), cow(0.5)];
         b.metadata.entities = vec![cow(0.5), cow(0.25)];
         b.metadata.offset = Cell::X;
         b.metadata.tags.insert("Name".to_owned(), crate::nbt::Tag::Byte(1));
-        b.variants.push(row(&["dirt"]));
+        b.variants.push(Grid::row(&["dirt"]));
         let diff = Diff::of(&a, &b);
         assert_eq!(diff.block_entities, [Cell::ZERO]);
         assert_eq!(diff.entities, [vec![cow(0.0), cow(0.5)], vec![cow(0.25)]]);

@@ -164,6 +164,19 @@ fn index(cell: Cell) -> [usize; 3] {
 }
 
 #[cfg(test)]
+impl Grid {
+    /// Blocks side by side on x.
+    pub(crate) fn row(states: &[&str]) -> Grid {
+        let mut grid = Grid::new(Cell::new(states.len() as i32, 1, 1));
+        for (x, state) in (0..).zip(states) {
+            let id = grid.intern(&state.parse().unwrap()).unwrap();
+            grid.set(Cell::new(x, 0, 0), id);
+        }
+        grid
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -139,15 +139,6 @@ mod tests {
     use crate::grid::Entity;
     use crate::nbt::Compound;
 
-    fn row(names: &[&str]) -> Grid {
-        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
-        for (x, name) in (0..).zip(names) {
-            let id = grid.intern(&name.parse().unwrap()).unwrap();
-            grid.set(Cell::new(x, 0, 0), id);
-        }
-        grid
-    }
-
     fn told(grid: &Grid) -> Vec<String> {
         grid.oddities().iter().map(Oddity::to_string).collect()
     }
@@ -155,14 +146,14 @@ mod tests {
     #[test]
     fn a_sound_build_has_none() {
         let mut grid =
-            row(&["red_bed[facing=east,part=foot]", "red_bed[facing=east,part=head]", "mod:x[a=b]"]);
+            Grid::row(&["red_bed[facing=east,part=foot]", "red_bed[facing=east,part=head]", "mod:x[a=b]"]);
         grid.metadata.data_version = Some(3465);
         assert_eq!(grid.oddities(), []);
     }
 
     #[test]
     fn each_is_told() {
-        let mut grid = row(&["oak_door[half=lower]", "stone[lit=true]", "glowing_rock", "air"]);
+        let mut grid = Grid::row(&["oak_door[half=lower]", "stone[lit=true]", "glowing_rock", "air"]);
         grid.block_entities.insert([3, 0, 0], Compound::new());
         grid.metadata.entities.push(Entity { place: [9.0, 0.0, 0.0], block: None, data: Compound::new() });
         let expected = [
@@ -179,7 +170,8 @@ mod tests {
 
     #[test]
     fn states_are_held_against_the_version_of_the_build() {
-        let mut grid = row(&["cobblestone_wall[east=true]", "chain[axis=x]", "cherry_planks", "grass_path"]);
+        let mut grid =
+            Grid::row(&["cobblestone_wall[east=true]", "chain[axis=x]", "cherry_planks", "grass_path"]);
         let mut told_of = |data_version| {
             grid.metadata.data_version = Some(data_version);
             told(&grid)

@@ -96,15 +96,6 @@ mod tests {
     use super::*;
     use crate::space::Cell;
 
-    fn row(names: &[&str]) -> Grid {
-        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
-        for (x, name) in (0..).zip(names) {
-            let id = grid.intern(&name.parse().unwrap()).unwrap();
-            grid.set(Cell::new(x, 0, 0), id);
-        }
-        grid
-    }
-
     #[test]
     fn a_build_that_says_no_version_is_of_the_first_with_all_its_blocks() {
         let cases = [
@@ -116,9 +107,9 @@ mod tests {
             (&["nonsense", "short_grass"], 3698),
         ];
         for (names, expected) in cases {
-            assert_eq!(row(names).data_version(), expected, "{names:?}");
+            assert_eq!(Grid::row(names).data_version(), expected, "{names:?}");
         }
-        let mut unused = row(&["stone"]);
+        let mut unused = Grid::row(&["stone"]);
         unused.intern(&"short_grass".parse().unwrap()).unwrap();
         assert_eq!(unused.data_version(), DEFAULT_DATA_VERSION, "what stands nowhere does not count");
         unused.metadata.data_version = Some(1343);
@@ -127,14 +118,14 @@ mod tests {
 
     #[test]
     fn variants_count_as_well() {
-        let mut grid = row(&["stone"]);
-        grid.variants.push(row(&["short_grass"]));
+        let mut grid = Grid::row(&["stone"]);
+        grid.variants.push(Grid::row(&["short_grass"]));
         assert_eq!(grid.data_version(), 3698);
     }
 
     #[test]
     fn states_of_before_names_are_not_taken_for_later_ones() {
-        let mut grid = row(&["planks[variant=oak]"]);
+        let mut grid = Grid::row(&["planks[variant=oak]"]);
         grid.metadata.data_version = Some(1343);
         let to = Version::newest();
         assert_eq!(grid.bring_to(to), Err(NotIn::OldStates(1343)));
@@ -143,7 +134,7 @@ mod tests {
 
     #[test]
     fn states_and_data_are_brought_along() {
-        let mut grid = row(&["grass", "oak_sign"]);
+        let mut grid = Grid::row(&["grass", "oak_sign"]);
         grid.metadata.data_version = Some(3337);
         let tags = [("id", "minecraft:sign"), ("Text1", "\"Inn\"")];
         let data = tags.map(|(name, text)| (name.to_owned(), crate::nbt::Tag::String(text.to_owned())));
@@ -153,7 +144,7 @@ mod tests {
         assert_eq!(grid.get(Cell::ZERO).short(), "short_grass");
         assert!(grid.block_entities[&[1, 0, 0]].contains_key("front_text"));
         assert_eq!(grid.metadata.data_version, Some(3700));
-        let newer = row(&["cherry_planks"]).bring_to(Version::oldest()).unwrap_err().to_string();
+        let newer = Grid::row(&["cherry_planks"]).bring_to(Version::oldest()).unwrap_err().to_string();
         assert!(newer.starts_with("Minecraft 1.13 does not have "), "{newer}");
     }
 }

@@ -62,28 +62,19 @@ mod tests {
         }
     }
 
-    fn row(names: &[&str]) -> Grid {
-        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
-        for (x, name) in (0..).zip(names) {
-            let id = grid.intern(&name.parse().unwrap()).unwrap();
-            grid.set(Cell::new(x, 0, 0), id);
-        }
-        grid
-    }
-
     #[test]
     fn copies_turned_copies_and_new_ones_are_told_apart() {
-        let example = row(&["stone", "oak_stairs[facing=east]", "air"]);
+        let example = Grid::row(&["stone", "oak_stairs[facing=east]", "air"]);
         let turned = example.turned(Turn::quarters(1));
-        let new = row(&["stone", "stone", "air"]);
+        let new = Grid::row(&["stone", "stone", "air"]);
         let found = novelty(&[example.clone(), turned, new.clone(), new], &[example]);
         assert_eq!(found, Novelty { novelty: 0.75, variety: 0.75, copies: 0.5 });
     }
 
     #[test]
     fn what_neighbours_decide_makes_no_sample_new() {
-        let open = row(&["oak_fence", "oak_fence"]);
-        let written = row(&[
+        let open = Grid::row(&["oak_fence", "oak_fence"]);
+        let written = Grid::row(&[
             "oak_fence[east=true,north=false,south=false,waterlogged=false,west=false]",
             "oak_fence[east=false,north=false,south=false,waterlogged=false,west=true]",
         ]);

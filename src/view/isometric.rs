@@ -136,15 +136,6 @@ mod tests {
         grid
     }
 
-    fn row(names: &[&str]) -> Grid {
-        let mut grid = Grid::new(Cell::new(names.len() as i32, 1, 1));
-        for (x, name) in (0..).zip(names) {
-            let id = grid.intern(&name.parse().unwrap()).unwrap();
-            grid.set(Cell::new(x, 0, 0), id);
-        }
-        grid
-    }
-
     fn from(corner: Corner) -> ViewOptions {
         ViewOptions { corner, ..ViewOptions::default() }
     }
@@ -180,7 +171,7 @@ mod tests {
 
     #[test]
     fn east_is_to_the_right_from_the_south_and_to_the_left_from_the_north() {
-        let grid = row(&["stone", "stone", "stone", "redstone_block"]);
+        let grid = Grid::row(&["stone", "stone", "stone", "redstone_block"]);
         for corner in Corner::ALL {
             let image = isometric(&grid, &from(corner));
             let right = middle_of_red(&image) > image.width() as f32 / 2.0;
@@ -191,7 +182,7 @@ mod tests {
     #[test]
     fn near_blocks_hide_far_ones_but_glass_does_not() {
         let redness = |near: &str| {
-            let image = isometric(&row(&["redstone_block", near]), &ViewOptions::default());
+            let image = isometric(&Grid::row(&["redstone_block", near]), &ViewOptions::default());
             image.pixels().filter(|pixel| i32::from(pixel.0[0]) > i32::from(pixel.0[1]) + 40).count()
         };
         assert!(redness("glass") > redness("stone"));
@@ -199,7 +190,7 @@ mod tests {
 
     #[test]
     fn empty_grids_and_single_blocks_have_a_picture() {
-        for grid in [Grid::new(Cell::ZERO), Grid::new(Cell::splat(5)), row(&["stone"])] {
+        for grid in [Grid::new(Cell::ZERO), Grid::new(Cell::splat(5)), Grid::row(&["stone"])] {
             let image = isometric(&grid, &ViewOptions::default());
             assert!(image.width() > 20 && image.height() > 20);
         }
@@ -207,7 +198,7 @@ mod tests {
 
     #[test]
     fn air_around_a_building_does_not_make_it_smaller() {
-        let small = row(&["stone", "oak_planks"]);
+        let small = Grid::row(&["stone", "oak_planks"]);
         let mut large = Grid::new(Cell::splat(9));
         for x in 0..2 {
             let id = large.intern(small.get(Cell::new(x, 0, 0))).unwrap();
@@ -220,7 +211,7 @@ mod tests {
     #[test]
     fn a_clear_background_stays_clear() {
         let options = ViewOptions { background: ViewOptions::CLEAR, ..ViewOptions::default() };
-        let image = isometric(&row(&["stone"]), &options);
+        let image = isometric(&Grid::row(&["stone"]), &options);
         assert_eq!(image.get_pixel(0, 0).0[3], 0);
         assert_eq!(image.get_pixel(image.width() / 2, image.height() / 2).0[3], 255);
     }

@@ -25,6 +25,11 @@ impl Boxes {
         self.0.iter().copied()
     }
 
+    /// Every class by itself.
+    pub fn each(&self) -> Vec<Boxes> {
+        self.iter().map(|own| Boxes::of([own])).collect()
+    }
+
     /// How many boxes there are.
     pub fn count(&self) -> u32 {
         self.0.iter().map(|(_, count)| count).sum()

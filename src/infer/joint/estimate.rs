@@ -16,7 +16,7 @@ const ALTERNATIVE: f64 = 3.0;
 /// Bits of a size that is left free, beside its values.
 const FREE: f64 = 4.0;
 /// Bits of a repeat.
-const REPEAT: f64 = 7.0;
+pub const REPEAT: f64 = 7.0;
 
 /// What was estimated, by what was asked.
 #[derive(Default, Debug)]

@@ -3,7 +3,7 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::Estimates;
+use super::estimate::{Estimates, REPEAT};
 use super::groups::groupings;
 use super::laws::{Law, Seen, fitted};
 use super::plan::{self, Form, How, NodeId, Plan};
@@ -114,31 +114,23 @@ impl<'c> Explainer<'c> {
     /// The best step by the estimate, or of the best ones by what comes of each.
     fn best(&mut self, boxes: &Boxes, search: Search) -> Step {
         let steps = self.steps_in_order(boxes);
+        let mut tried: Vec<Step> = match search.0 == 0 || self.is_spent() {
+            true => steps.into_iter().map(|(_, step)| step).take(1).collect(),
+            false => worth_trying(steps),
+        };
+        if tried.len() > 1 {
+            let bits: Vec<f64> = tried.iter().map(|step| self.bits(boxes, step, search)).collect();
+            let best = (0..tried.len()).min_by(|a, b| bits[*a].total_cmp(&bits[*b]));
+            tried.swap(0, best.unwrap_or(0));
+        }
         // Every set of boxes that is not of one block can be cut or told apart.
-        let Some((least, _)) = steps.first() else { return Step::Choose(alone(boxes)) };
-        let worst = least + SLACK + SLACK_SHARE * least;
-        if search.0 == 0 || self.is_spent() {
-            return steps.into_iter().next().map_or_else(|| Step::Choose(alone(boxes)), |(_, step)| step);
-        }
-        let (choices, cuts): (Vec<_>, Vec<_>) = steps
-            .into_iter()
-            .filter(|(bits, _)| *bits <= worst)
-            .map(|(_, step)| step)
-            .partition(|step| matches!(step, Step::Choose(_)));
-        let mut tried: Vec<Step> =
-            cuts.into_iter().take(CUTS).chain(choices.into_iter().take(CHOICES)).collect();
-        if let [_] = tried.as_slice() {
-            return tried.swap_remove(0);
-        }
-        let mut best: Option<(f64, Step)> = None;
-        for step in tried {
-            let node = self.take(boxes, &step, Search(search.0 - 1));
-            let bits = plan::bits(&self.plan, self.corpus, node, boxes);
-            if best.as_ref().is_none_or(|(least, _)| bits < *least) {
-                best = Some((bits, step));
-            }
-        }
-        best.map_or_else(|| Step::Choose(alone(boxes)), |(_, step)| step)
+        tried.into_iter().next().unwrap_or_else(|| Step::Choose(boxes.each()))
+    }
+
+    /// The bits of all that comes of a step, looking one step less ahead.
+    fn bits(&mut self, boxes: &Boxes, step: &Step, search: Search) -> f64 {
+        let node = self.take(boxes, step, Search(search.0 - 1));
+        plan::bits(&self.plan, self.corpus, node, boxes)
     }
 
     /// The steps from the best estimate on. Whether parts go together is asked of the first ones only: it takes
@@ -190,7 +182,7 @@ impl<'c> Explainer<'c> {
                 if units.kinds() > 1 && self.is_kept(boxes) {
                     continue;
                 }
-                steps.push((7.0 + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
+                steps.push((REPEAT + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
             }
         }
         steps
@@ -306,7 +298,11 @@ impl<'c> Explainer<'c> {
     }
 }
 
-/// Every class by itself.
-fn alone(boxes: &Boxes) -> Vec<Boxes> {
-    boxes.iter().map(|own| Boxes::of([own])).collect()
+/// Of steps from the best estimate on, those that are near to it: some cuts and repeats, then some choices.
+fn worth_trying(steps: Vec<(f64, Step)>) -> Vec<Step> {
+    let least = steps.first().map_or(0.0, |(bits, _)| *bits);
+    let worst = least + SLACK + SLACK_SHARE * least;
+    let near = steps.into_iter().filter(|(bits, _)| *bits <= worst).map(|(_, step)| step);
+    let (choices, cuts): (Vec<Step>, Vec<Step>) = near.partition(|step| matches!(step, Step::Choose(_)));
+    cuts.into_iter().take(CUTS).chain(choices.into_iter().take(CHOICES)).collect()
 }

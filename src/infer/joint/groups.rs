@@ -32,7 +32,7 @@ pub fn groupings(corpus: &mut Corpus, boxes: &Boxes) -> Vec<Vec<Boxes>> {
             found.push(parted);
         }
     }
-    let alone: Vec<Boxes> = boxes.iter().map(|own| Boxes::of([own])).collect();
+    let alone = boxes.each();
     if alone.len() > 1 && !found.contains(&alone) {
         found.push(alone);
     }
