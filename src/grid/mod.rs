@@ -7,6 +7,7 @@ mod crop;
 mod diff;
 mod entity;
 mod era;
+mod flood;
 mod hash;
 mod labelled;
 mod metadata;
@@ -26,6 +27,7 @@ use std::collections::BTreeMap;
 pub use anchor::{Anchor, NoDoor};
 pub use diff::{BlockDiff, Diff};
 pub use era::Kept;
+pub use flood::{Neighbours, components, floating, reached_from_outside};
 pub use hash::{BoxHashes, Content};
 pub use labelled::{LabelledBox, LabelledBoxes};
 pub use metadata::{

@@ -6,6 +6,7 @@ use super::law::{Law, Lengths, Stretch, certain, ranges};
 use super::tree::{Node, NodeId, Tree};
 use crate::space::{Axis, Bounds};
 use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
 
 /// Where sizes may be left to chance.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -53,6 +54,8 @@ pub struct Kinds {
     pub roots: Vec<KindId>,
     /// Whether a kind can be any length along an axis that is not below the shortest seen.
     elastic: Vec<[bool; 3]>,
+    /// Leaves that have one size.
+    rigid: BTreeSet<u32>,
 }
 
 /// A part of an example with its split tree.
@@ -63,10 +66,11 @@ pub struct Slab {
     pub tree: Tree,
 }
 
-/// Finds the kinds of the trees, each laid out in its box.
-pub fn combine(slabs: &[Slab], chance: Chance) -> Kinds {
+/// Finds the kinds of the trees, each laid out in its box. Leaves with a label of `rigid` have one size.
+pub fn combine(slabs: &[Slab], chance: Chance, rigid: BTreeSet<u32>) -> Kinds {
     let forest = Forest::plant(slabs);
-    let mut kinds = Kinds { list: Vec::new(), places: Vec::new(), roots: Vec::new(), elastic: Vec::new() };
+    let (list, places, roots, elastic) = Default::default();
+    let mut kinds = Kinds { list, places, roots, elastic, rigid };
     let mut of_node = vec![KindId(u32::MAX); forest.nodes.len()];
     let mut simple: FxHashMap<u64, KindId> = FxHashMap::default();
     for level in forest.levels() {
@@ -186,7 +190,11 @@ impl Kinds {
     }
 
     fn stretches(&self, kind: &Kind, axis: Axis) -> bool {
-        let Kind::Split { axis: own, items } = kind else { return true };
+        let (own, items) = match kind {
+            Kind::Nil => return true,
+            Kind::Leaf(label) => return !self.rigid.contains(label),
+            Kind::Split { axis, items } => (axis, items),
+        };
         items.iter().filter(|item| *own != axis || item.law == Law::Float).all(|item| match &item.content {
             Content::One(child) => self.is_elastic(*child, axis),
             Content::Repeat(unit) => {

@@ -4,6 +4,7 @@ use super::combine::{Content, Item, Kind, KindId, Kinds};
 use super::example::{Example, Terminal, Terminals};
 use super::exchange::Exchange;
 use super::fold::Piece;
+use super::held::Held;
 use super::law::Law;
 use super::naming::{self, Places};
 use super::{Learnt, Method};
@@ -15,20 +16,27 @@ use crate::neighbours::decided;
 use crate::space::{Axis, Bounds, Cell, Up};
 use std::collections::BTreeMap;
 
-/// The op graph of all kinds. Its root chooses between the examples that no rule could join.
-pub fn emit(kinds: &Kinds, exchanges: &[Exchange], terminals: &Terminals, examples: &[Example]) -> Learnt {
+/// The op graph of all kinds, with what the sites in them can hold. Its root chooses between the examples that no
+/// rule could join.
+pub fn emit(
+    kinds: &Kinds,
+    sites: &Held,
+    exchanges: &[Exchange],
+    terminals: &Terminals,
+    examples: &[Example],
+) -> Learnt {
     let mut emitter = Emitter {
         builder: Builder::default(),
         constants: Vec::new(),
         labels: Vec::new(),
         nodes: Vec::new(),
+        sites: Vec::new(),
         places: Places::new(),
         known: BTreeMap::new(),
     };
-    for kind in &kinds.list {
-        let node = emitter.kind(kind, terminals);
-        emitter.nodes.push(node);
-    }
+    emitter.kinds(&sites.kinds, terminals);
+    emitter.sites(sites);
+    emitter.kinds(kinds, terminals);
     let root = emitter.root(&slab_nodes(kinds, exchanges, &emitter.nodes), exchanges, examples);
     let Emitter { builder, constants, labels, nodes, places, .. } = emitter;
     let places = naming::places(kinds, &nodes, places);
@@ -48,6 +56,8 @@ struct Emitter {
     labels: Vec<String>,
     /// The node of each kind.
     nodes: Vec<NodeIndex>,
+    /// The node of each site.
+    sites: Vec<NodeIndex>,
     /// Where the nodes that choose between slabs were first seen.
     places: Places,
     /// What was made of a slab of these members: each class past a plane comes back for every member before it.
@@ -55,12 +65,33 @@ struct Emitter {
 }
 
 impl Emitter {
+    fn kinds(&mut self, kinds: &Kinds, terminals: &Terminals) {
+        self.nodes.clear();
+        for kind in &kinds.list {
+            let node = self.kind(kind, terminals);
+            self.nodes.push(node);
+        }
+    }
+
+    /// The choices of all sites, from the nodes of what they can hold. Their labels come after those of the terminals.
+    fn sites(&mut self, held: &Held) {
+        let mut roots = held.kinds.roots.iter().map(|kind| self.nodes[kind.0 as usize]);
+        for site in &held.sites {
+            let held: Vec<(f64, NodeIndex)> =
+                site.contents.iter().map(|(_, count)| f64::from(*count)).zip(roots.by_ref()).collect();
+            let node = self.builder.choose(held);
+            self.places.entry(node).or_insert((site.example, site.bounds));
+            self.sites.push(node);
+        }
+    }
+
     fn kind(&mut self, kind: &Kind, terminals: &Terminals) -> NodeIndex {
         match kind {
             Kind::Nil => self.builder.nil(),
-            Kind::Leaf(label) => match &terminals.list[*label as usize] {
-                Terminal::Block(state) => self.builder.primitive(block_expr(state)),
-                Terminal::Label(label) => self.labelled(label),
+            Kind::Leaf(label) => match terminals.list.get(*label as usize) {
+                Some(Terminal::Block(state)) => self.builder.primitive(block_expr(state)),
+                Some(Terminal::Label(label)) => self.labelled(label),
+                None => self.sites[*label as usize - terminals.list.len()],
             },
             Kind::Split { axis, items } => {
                 let parts = items.iter().map(|item| self.item(*axis, item)).collect();

@@ -42,6 +42,16 @@ impl Terminals {
         states.map(|state| self.number(Terminal::Block(state.clone()))).collect()
     }
 
+    /// Numbers the terminals of an example, in order of first use.
+    pub fn enter(&mut self, example: &Example) {
+        match example {
+            Example::Blocks(grid) => drop(self.of_palette(grid)),
+            Example::Boxes(boxes) => boxes.boxes.iter().for_each(|labelled| {
+                self.number(Terminal::Label(labelled.label.clone()));
+            }),
+        }
+    }
+
     /// The number of air.
     pub fn air(&mut self) -> u32 {
         self.number(Terminal::Block(BlockState::air()))
@@ -102,12 +112,15 @@ impl Example {
         Some(grid.cells().mapv(|id| numbers[usize::from(id)]))
     }
 
-    /// The terminals of the example with their boxes.
-    pub fn boxes(&self, terminals: &mut Terminals) -> Vec<(Bounds, u32)> {
+    /// The terminals of the example with their boxes, and what fills boxes of its own.
+    pub fn boxes(&self, terminals: &mut Terminals, own: &[(Bounds, u32)]) -> Vec<(Bounds, u32)> {
         match self {
             Example::Blocks(grid) => {
                 let numbers = terminals.of_palette(grid);
-                cuboids(grid).into_iter().map(|(bounds, id)| (bounds, numbers[id as usize])).collect()
+                let mut rest = grid.clone();
+                own.iter().for_each(|(bounds, _)| rest.fill(*bounds, Palette::AIR));
+                let rest = cuboids(&rest).into_iter().map(|(bounds, id)| (bounds, numbers[id as usize]));
+                rest.chain(own.iter().copied()).collect()
             }
             Example::Boxes(labelled) => labelled
                 .boxes

@@ -7,10 +7,10 @@
 //! of it, or with none.
 
 use super::example::{Example, Terminal, Terminals};
+use super::neighbourhood::{Neighbourhood, Place, Seen, Shown, corners, places};
 use crate::block::{self, Shape};
 use crate::space::{Axis, Bounds, Cell};
 use ndarray::{Array3, ArrayView3, Slice};
-use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -40,31 +40,29 @@ const THINNEST: i32 = 2;
 
 /// Groups the examples by size and finds the planes of each group, on the axis where they allow most.
 /// Labelled boxes have none: they are not made of neighbourhoods.
-pub fn exchanges(examples: &[Example], terminals: &mut Terminals) -> Vec<Exchange> {
-    let groups = by_size(examples);
-    if groups.iter().all(|members| members.len() == 1) {
-        let alone = |members| Exchange { members, axis: Axis::Y, planes: Vec::new() };
-        return groups.into_iter().map(alone).collect();
-    }
-    let cells: Vec<Option<Array3<u32>>> = examples.iter().map(|example| example.cells(terminals)).collect();
-    let seen: FxHashSet<Neighbourhood> = cells.iter().flatten().flat_map(neighbourhoods).collect();
-    let kinds = terminals.list.iter().map(kind).collect::<Vec<String>>();
-    groups
-        .into_iter()
-        .map(|members| {
-            let grids: Option<Vec<&Array3<u32>>> =
-                members.iter().map(|member| cells[*member].as_ref()).collect();
-            let found = grids.map(|grids| {
-                let fixtures = fixtures(&grids, &kinds);
-                Group { grids, seen: &seen, fixtures }.best_planes()
-            });
-            let (axis, planes) = found.unwrap_or((Axis::Y, Vec::new()));
-            Exchange { members, axis, planes }
-        })
-        .collect()
+pub fn exchanges(examples: &[Example], shown: Option<&Shown>, terminals: &Terminals) -> Vec<Exchange> {
+    let kinds: Vec<String> = terminals.list.iter().map(kind).collect();
+    let exchange = |members: Vec<usize>| {
+        let found = shown.filter(|_| members.len() > 1).map(|shown| {
+            let grids: Vec<ArrayView3<u32>> =
+                members.iter().map(|member| shown.cells[*member].view()).collect();
+            let bordered = members.iter().map(|member| shown.bordered[*member].view()).collect();
+            let fixtures = fixtures(&grids, &kinds);
+            Group { grids, bordered, seen: &shown.seen, fixtures }.best_planes()
+        });
+        let (axis, planes) = found.unwrap_or((Axis::Y, Vec::new()));
+        Exchange { members, axis, planes }
+    };
+    by_size(examples).into_iter().map(exchange).collect()
 }
 
 impl Exchange {
+    /// Whether what a box of an example holds stands beside no plane: nothing past a plane has a say in it.
+    pub fn leaves_whole(&self, bounds: Bounds) -> bool {
+        let (low, high) = (self.axis.of(bounds.min), self.axis.of(bounds.max));
+        self.planes.iter().all(|plane| high < plane.at || low > plane.at)
+    }
+
     /// The boxes between the planes of an example that fills `bounds`, from the low end up.
     pub fn slabs(&self, bounds: Bounds) -> Vec<Bounds> {
         let (low, high) = (self.axis.of(bounds.min), self.axis.of(bounds.max));
@@ -93,54 +91,17 @@ fn by_size(examples: &[Example]) -> Vec<Vec<usize>> {
     groups.into_iter().map(|(_, members)| members).collect()
 }
 
-/// The terminals of 2 x 2 x 2 cells, in the order of their places.
-type Neighbourhood = [u32; 8];
-
-/// What lies outside of an example.
-const OUTSIDE: u32 = u32::MAX;
-
-/// A place in an array: `[y, z, x]`.
-type Place = [usize; 3];
-
-/// Every neighbourhood of an example, those at its borders with what lies outside.
-fn neighbourhoods(cells: &Array3<u32>) -> impl Iterator<Item = Neighbourhood> {
-    corners(cells.dim(), None).map(move |corner| neighbourhood(corner, |place| padded(cells, place)))
-}
-
-/// The neighbourhoods around the plane where `below` stands before it and `above` past it.
+/// The neighbourhoods around the plane where `below` stands before it and `above` past it. Both have a border.
 fn straddling<'a>(
-    below: &'a Array3<u32>,
-    above: &'a Array3<u32>,
+    below: ArrayView3<'a, u32>,
+    above: ArrayView3<'a, u32>,
     axis: Axis,
     at: i32,
 ) -> impl Iterator<Item = Neighbourhood> + 'a {
     let along = array_axis(axis);
-    corners(below.dim(), Some((along, at as usize))).map(move |corner| {
-        neighbourhood(corner, |place| padded(if place[along] <= at as usize { below } else { above }, place))
-    })
-}
-
-/// The low corners of neighbourhoods in an array with a border one cell wide; on one plane if it is given.
-fn corners((y, z, x): (usize, usize, usize), plane: Option<(usize, usize)>) -> impl Iterator<Item = Place> {
-    let mut ranges = [0..=y, 0..=z, 0..=x];
-    if let Some((along, at)) = plane {
-        ranges[along] = at..=at;
-    }
-    let [ys, zs, xs] = ranges;
-    ys.flat_map(move |y| {
-        let xs = xs.clone();
-        zs.clone().flat_map(move |z| xs.clone().map(move |x| [y, z, x]))
-    })
-}
-
-fn neighbourhood([y, z, x]: Place, cell: impl Fn(Place) -> u32) -> Neighbourhood {
-    std::array::from_fn(|at| cell([y + at / 4, z + at / 2 % 2, x + at % 2]))
-}
-
-/// The terminal at a place, counted with a border one cell wide.
-fn padded(cells: &Array3<u32>, place: Place) -> u32 {
-    let [y, z, x] = place.map(|n| n.wrapping_sub(1));
-    cells.get([y, z, x]).copied().unwrap_or(OUTSIDE)
+    let on_plane = corners(below.dim()).filter(move |corner| corner[along] == at as usize);
+    let cell = move |place: Place| if place[along] <= at as usize { below[place] } else { above[place] };
+    on_plane.map(move |corner| places(corner).map(cell))
 }
 
 /// The axis of an array of cells, which is indexed `[y, z, x]`.
@@ -152,10 +113,11 @@ fn array_axis(axis: Axis) -> usize {
     }
 }
 
-/// Examples of one size as arrays of terminals.
+/// Examples of one size as arrays of terminals, without and with a border.
 struct Group<'a> {
-    grids: Vec<&'a Array3<u32>>,
-    seen: &'a FxHashSet<Neighbourhood>,
+    grids: Vec<ArrayView3<'a, u32>>,
+    bordered: Vec<ArrayView3<'a, u32>>,
+    seen: &'a Seen,
     /// By terminal, the number of the fixture that it belongs to.
     fixtures: Vec<Option<usize>>,
 }
@@ -195,9 +157,9 @@ impl Group<'_> {
     /// By member, the number of the first class whose members can all be exchanged with it.
     fn classes(&self, axis: Axis, at: i32) -> Vec<usize> {
         let counts: Vec<Vec<u32>> =
-            self.grids.iter().map(|grid| self.fixtures_before(grid, axis, at)).collect();
+            self.grids.iter().map(|grid| self.fixtures_before(*grid, axis, at)).collect();
         let fits = |a: usize, b: usize| {
-            straddling(self.grids[a], self.grids[b], axis, at).all(|cells| self.seen.contains(&cells))
+            straddling(self.bordered[a], self.bordered[b], axis, at).all(|cells| self.seen.contains(&cells))
         };
         let agree = |a: usize, b: usize| counts[a] == counts[b] && fits(a, b) && fits(b, a);
         let mut classes: Vec<Vec<usize>> = Vec::new();
@@ -215,7 +177,7 @@ impl Group<'_> {
     }
 
     /// How often each fixture stands before a plane.
-    fn fixtures_before(&self, grid: &Array3<u32>, axis: Axis, at: i32) -> Vec<u32> {
+    fn fixtures_before(&self, grid: ArrayView3<u32>, axis: Axis, at: i32) -> Vec<u32> {
         let mut counts = vec![0; self.fixtures.len()];
         let before = slab(grid, axis, 0..at as usize);
         let numbers = before.iter().filter_map(|terminal| self.fixtures[*terminal as usize]);
@@ -230,7 +192,7 @@ impl Group<'_> {
         let gain = |class: usize| {
             let members = || self.grids.iter().zip(&plane.classes).filter(move |(_, own)| **own == class);
             let kinds =
-                |range: Range<usize>| distinct(members().map(|(grid, _)| slab(grid, axis, range.clone())));
+                |range: Range<usize>| distinct(members().map(|(grid, _)| slab(*grid, axis, range.clone())));
             kinds(0..at) * kinds(at..length) - kinds(0..length)
         };
         (0..count).map(gain).sum()
@@ -251,7 +213,7 @@ fn kind(terminal: &Terminal) -> String {
 }
 
 /// By terminal, the number of its kind if all grids show that kind equally often.
-fn fixtures(grids: &[&Array3<u32>], kinds: &[String]) -> Vec<Option<usize>> {
+fn fixtures(grids: &[ArrayView3<u32>], kinds: &[String]) -> Vec<Option<usize>> {
     let counted: Vec<BTreeMap<&str, u32>> = grids
         .iter()
         .map(|grid| {
@@ -268,8 +230,9 @@ fn fixtures(grids: &[&Array3<u32>], kinds: &[String]) -> Vec<Option<usize>> {
     kinds.iter().map(|kind| fixtures.iter().position(|fixture| fixture == kind)).collect()
 }
 
-fn slab(grid: &Array3<u32>, axis: Axis, range: Range<usize>) -> ArrayView3<'_, u32> {
-    grid.slice_axis(ndarray::Axis(array_axis(axis)), Slice::from(range))
+fn slab<'a>(mut grid: ArrayView3<'a, u32>, axis: Axis, range: Range<usize>) -> ArrayView3<'a, u32> {
+    grid.slice_axis_inplace(ndarray::Axis(array_axis(axis)), Slice::from(range));
+    grid
 }
 
 /// How many of the views differ.

@@ -12,15 +12,20 @@ mod emit;
 mod example;
 mod exchange;
 mod fold;
+mod held;
 mod joint;
 mod law;
 mod naming;
+mod neighbourhood;
+mod swaps;
 pub mod tree;
 mod variety;
 
 use crate::graph::OpGraph;
 use crate::grid::Grid;
 use combine::Slab;
+use held::Held;
+use neighbourhood::Shown;
 
 pub use crate::parse::Labels;
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
@@ -115,23 +120,32 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
 }
 
 fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
-    let first = examples.first().ok_or(InferError::NoExample)?;
     let mut terminals = Terminals::default();
-    let exchanges = exchange::exchanges(examples, &mut terminals);
+    examples.iter().for_each(|example| terminals.enter(example));
+    let shown = Shown::by(examples, &mut terminals);
+    let exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
+    let group = |number: usize| exchanges.iter().find(|group| group.members.contains(&number));
+    // One example alone is to be given back as it is.
+    let sites = shown.filter(|_| examples.len() > 1).map_or_else(Vec::new, |shown| {
+        let is_whole = |number, bounds| group(number).is_none_or(|group| group.leaves_whole(bounds));
+        swaps::sites(examples, &shown, &terminals, is_whole)
+    });
+    let held = Held::new(sites, &mut terminals);
     let mut slabs = Vec::new();
     for (number, example) in examples.iter().enumerate() {
-        let boxes = example.boxes(&mut terminals);
-        let group = exchanges.iter().find(|group| group.members.contains(&number));
-        for bounds in group.map_or_else(Vec::new, |group| group.slabs(example.bounds())) {
-            let tree = example.tree(bounds, &boxes);
-            let tree = tree.map_err(|problem| InferError::Boxes { example: number, problem })?;
-            slabs.push(Slab { example: number, bounds, tree });
-        }
+        let boxes = group(number).map_or_else(Vec::new, |group| group.slabs(example.bounds()));
+        let trees = held.trees(number, example, &boxes, &mut terminals);
+        let trees = trees.map_err(|problem| InferError::Boxes { example: number, problem })?;
+        slabs.extend(boxes.into_iter().zip(trees).map(|(bounds, tree)| Slab {
+            example: number,
+            bounds,
+            tree,
+        }));
     }
-    let chance = match first {
-        Example::Blocks(_) => combine::Chance::Bodies,
-        Example::Boxes(_) => combine::Chance::Anywhere,
+    let chance = match examples.first() {
+        Some(Example::Blocks(_)) => combine::Chance::Bodies,
+        _ => combine::Chance::Anywhere,
     };
-    let kinds = combine::combine(&slabs, chance);
-    Ok(emit::emit(&kinds, &exchanges, &terminals, examples))
+    let kinds = combine::combine(&slabs, chance, held.labels());
+    Ok(emit::emit(&kinds, &held, &exchanges, &terminals, examples))
 }

@@ -7,7 +7,6 @@ mod cells;
 mod compressed;
 mod distance;
 mod explained;
-mod flood;
 mod length;
 mod model;
 mod novelty;

@@ -1,9 +1,8 @@
 //! The rooms of a building: whether one gets in through doors, and whether there is a roof above.
 
 use super::cells::settled;
-use super::flood::{Neighbours, components, reached_from_outside};
 use crate::block::{Shape, shape};
-use crate::grid::Grid;
+use crate::grid::{Grid, Neighbours, components, reached_from_outside};
 use ndarray::Array3;
 
 /// The rooms of a building. A room is air behind closed doors, with room to stand in it.

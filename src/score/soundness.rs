@@ -1,9 +1,7 @@
 //! Whether a building holds together: nothing floats, halves are whole, states are of the game.
 
 use super::cells::settled;
-use super::flood::{Neighbours, components};
-use crate::grid::{Grid, Oddity};
-use ndarray::Array3;
+use crate::grid::{self, Grid, Oddity};
 
 /// What is wrong with a building.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -48,16 +46,7 @@ impl Soundness {
 
 fn floating(grid: &Grid) -> usize {
     let is_solid: Vec<bool> = grid.palette().states().iter().map(|state| !state.is_nothing()).collect();
-    let solid: Array3<bool> = grid.cells().mapv(|id| is_solid[usize::from(id)]);
-    let pieces = components(&solid, Neighbours::Edges);
-    let lowest = pieces.indexed_iter().filter(|(_, piece)| **piece > 0).map(|((y, ..), _)| y).min();
-    let mut rests = vec![false; pieces.iter().max().map_or(0, |last| *last as usize) + 1];
-    // No piece has the number 0.
-    rests[0] = true;
-    for ((y, ..), piece) in pieces.indexed_iter() {
-        rests[*piece as usize] |= Some(y) == lowest;
-    }
-    rests.iter().filter(|rests| !**rests).count()
+    grid::floating(&grid.cells().mapv(|id| is_solid[usize::from(id)]))
 }
 
 #[cfg(test)]

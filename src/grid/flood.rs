@@ -12,6 +12,8 @@ pub enum Neighbours {
     Faces,
     /// Those that share a face or an edge.
     Edges,
+    /// Those that share a face, an edge or a corner.
+    Corners,
     /// Those of one layer that share a face.
     Layer,
 }
@@ -24,6 +26,7 @@ impl Neighbours {
             match self {
                 Neighbours::Faces => moved == 1,
                 Neighbours::Edges => moved == 1 || moved == 2,
+                Neighbours::Corners => moved > 0,
                 Neighbours::Layer => moved == 1 && step[0] == 0,
             }
         })
@@ -43,6 +46,20 @@ pub fn components(is_there: &Array3<bool>, neighbours: Neighbours) -> Array3<u32
         }
     }
     pieces
+}
+
+/// The pieces that do not rest on the lowest layer with cells that are there. Cells that share a face or an edge hold
+/// each other.
+pub fn floating(is_there: &Array3<bool>) -> usize {
+    let pieces = components(is_there, Neighbours::Edges);
+    let lowest = pieces.indexed_iter().filter(|(_, piece)| **piece > 0).map(|((y, ..), _)| y).min();
+    let mut rests = vec![false; pieces.iter().max().map_or(0, |last| *last as usize) + 1];
+    // No piece has the number 0.
+    rests[0] = true;
+    for ((y, ..), piece) in pieces.indexed_iter() {
+        rests[*piece as usize] |= Some(y) == lowest;
+    }
+    rests.iter().filter(|rests| !**rests).count()
 }
 
 /// Which cells can be reached from the border of the array, its floor left out.
