@@ -29,6 +29,8 @@ pub mod infer;
 
 pub mod score;
 
+pub mod update;
+
 pub mod io;
 
 pub mod view;

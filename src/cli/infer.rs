@@ -3,6 +3,7 @@ use super::input::{self, Limit};
 use super::output::{self, Output};
 use super::progress::Progress;
 use super::report;
+use super::update;
 use crate::grammar::{self, Diagnostic};
 use crate::graph::{OpGraph, dot, lower, raise};
 use crate::grid::Grid;
@@ -12,7 +13,7 @@ use crate::parse::{Laws, Parser};
 use crate::score::{Explained, Length, Outline, outline};
 use serde_json::json;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// So many samples are scored.
 const SAMPLES: usize = 24;
@@ -26,13 +27,18 @@ const MOST_CELLS: u64 = 250_000;
 #[command(after_help = "\
 Examples:
   vox infer house*.schem -o village.grammar --dot village.dot
-  vox infer house1.obj house2.obj --scale 3 -o houses.grammar")]
+  vox infer house1.obj house2.obj --scale 3 -o houses.grammar
+  vox infer --update village.grammar house6.schem")]
 pub struct Args {
     #[arg(required = true, help = input::FILES)]
     examples: Vec<PathBuf>,
-    /// Where to write the grammar; standard output if not given
-    #[arg(short, long, value_name = "FILE", default_value = "-")]
-    output: PathBuf,
+    /// A grammar to change as little as may be, so that it derives the examples as well: all else that is written in it
+    /// stays
+    #[arg(long, value_name = "GRAMMAR", conflicts_with_all = ["scale", "method", "freedom"])]
+    update: Option<PathBuf>,
+    /// Where to write the grammar; if not given, standard output, or the grammar to update
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
     /// Where to write the op graph, in Graphviz's dot language
     #[arg(long, value_name = "FILE")]
     dot: Option<PathBuf>,
@@ -89,10 +95,27 @@ impl From<Method> for infer::Method {
 }
 
 pub fn execute(args: &Args) -> Result<(), Failure> {
-    if args.json && input::is_stdio(&args.output) {
+    let Args { examples, dot, limit, json, .. } = args;
+    let known = args.update.as_deref().unwrap_or(Path::new("-"));
+    let output = args.output.as_deref().unwrap_or(known);
+    if args.json && input::is_stdio(output) {
         let failure = Failure::new("standard output cannot hold both the grammar and JSON");
         return Err(failure.hint("say where the grammar goes: `-o village.grammar`"));
     }
+    match &args.update {
+        None => learn(args, output),
+        Some(grammar) => update::execute(&update::Task {
+            grammar,
+            houses: examples,
+            output,
+            dot: dot.as_deref(),
+            reading: limit.reading(),
+            json: *json,
+        }),
+    }
+}
+
+fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
     let paths = input::paths(&args.examples)?;
     let reading = args.limit.scaled(args.scale);
     let progress = Progress::new(paths.len());
@@ -114,7 +137,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     let parser = Parser::new(&graph, Laws::AsWritten).with_labels(&labels);
     let derived = examples.iter().map(|example| example.is_derived_by(&parser));
     prove(&paths, &derived.collect::<Vec<bool>>())?;
-    let mut outputs = vec![Output::new(&args.output, text)];
+    let mut outputs = vec![Output::new(output, text)];
     outputs.extend(args.dot.as_ref().map(|path| Output::new(path, dot(&graph))));
     output::write(&outputs, &paths)?;
     let grids: Vec<Grid> = examples.into_iter().filter_map(Example::into_grid).collect();

@@ -33,6 +33,7 @@ mod summary;
 mod tally;
 mod template;
 mod turn;
+mod update;
 mod watch;
 mod why;
 mod writing;

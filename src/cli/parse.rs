@@ -140,7 +140,8 @@ fn choice(program: &Program, step: &Step) -> Option<String> {
             format!("rule {} of {}", number + 1, program.graph.children(step.node).count())
         }
         Choice::Lengths(lengths) => list(lengths),
-        Choice::Times(count) => format!("{count} times"),
+        Choice::Times(count) | Choice::StretchedTimes(count) => format!("{count} times"),
+        Choice::Stretched(lengths) => list(&lengths.iter().map(|(_, length)| *length).collect::<Vec<i32>>()),
         Choice::Arguments(values) if values.is_empty() => return None,
         Choice::Arguments(values) => format!("with {}", values.join(", ")),
         Choice::Other(cells) => format!("differs in {cells} cells"),
@@ -192,7 +193,10 @@ fn step_json(program: &Program, step: &Step) -> Value {
         Choice::Only => return value,
         Choice::Alternative(number) => ("rule", json!(number + 1)),
         Choice::Lengths(lengths) => ("lengths", json!(&**lengths)),
-        Choice::Times(count) => ("times", json!(count)),
+        Choice::Times(count) | Choice::StretchedTimes(count) => ("times", json!(count)),
+        Choice::Stretched(lengths) => {
+            ("lengths", json!(lengths.iter().map(|(_, length)| length).collect::<Vec<&i32>>()))
+        }
         Choice::Arguments(values) => ("arguments", json!(&**values)),
         Choice::Other(cells) => ("differs", json!(cells)),
     };

@@ -64,6 +64,11 @@ impl Sources {
         self.files.iter().map(|file| file.name.as_str())
     }
 
+    /// All files by name, with their texts.
+    pub fn texts(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.files.iter().map(|file| (file.name.as_str(), &self.text[file.span.range()]))
+    }
+
     /// The file that a span lies in, and where in it.
     pub fn place(&self, span: Span) -> Place<'_> {
         let after = self.files.partition_point(|file| file.span.start <= span.start);

@@ -48,6 +48,10 @@ pub enum Choice {
     Lengths(Arc<[i32]>),
     /// So many repetitions.
     Times(u32),
+    /// Lengths that the grammar does not give: those of the parts that are not empty, by their numbers.
+    Stretched(Arc<[(u32, i32)]>),
+    /// A number of repetitions that the grammar does not give.
+    StretchedTimes(u32),
     /// The arguments of a call, as texts.
     Arguments(Arc<[String]>),
     /// So many cells are other than the operation says; nothing below was looked at.

@@ -16,6 +16,14 @@ pub struct Derivation {
     pub steps: Vec<Step>,
 }
 
+impl Derivation {
+    /// How many cells are other than the derivation says.
+    pub fn lost(&self) -> u64 {
+        let lost = |step: &Step| if let Choice::Other(lost) = step.choice { lost } else { 0 };
+        self.steps.iter().map(lost).sum()
+    }
+}
+
 /// An operation that runs, and where.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Step {

@@ -15,6 +15,7 @@ mod needs;
 mod overlay;
 mod search;
 mod split;
+mod start;
 mod states;
 mod surroundings;
 mod target;
@@ -49,6 +50,8 @@ pub enum Laws {
     /// Any: parts and repetitions come in the order of the grammar, but absolute ones may measure any number of blocks
     /// from one on, floating ones any at all.
     Widened,
+    /// Those that the grammar says, where they will do; else any, as if widened, at a price that keeps such places few.
+    Stretched,
 }
 
 /// The label that each constant stands for, by the constant's name.
@@ -106,6 +109,16 @@ impl<'g> Parser<'g> {
         let blocks =
             Blocks::of(grid, version, &mut memory.states).map_err(|PaletteFull| Unexplained::unread(grid))?;
         self.parse_target(&mut memory, &Target::Blocks(blocks))
+    }
+
+    /// The derivation of the grid that differs from this one in the fewest cells; `None` where the search found none.
+    pub fn nearest(&self, grid: &Grid) -> Option<Derivation> {
+        let version = grid.data_version();
+        let mut memory = self.ready(version);
+        let blocks = Blocks::of(grid, version, &mut memory.states).ok()?;
+        let target = Target::Blocks(blocks);
+        let best = self.search(&mut memory, &target, Rigour::Nearest).ok()?;
+        Some(self.listed(&mut memory, &target, &best, Rigour::Nearest))
     }
 
     /// As [`Parser::parse`], for labelled boxes. Cells count as blocks.

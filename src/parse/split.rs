@@ -7,6 +7,7 @@ use super::draw::Draw;
 use super::lengths::{Law, law};
 use super::search::{Search, keep};
 use super::surroundings::Around;
+use super::widened::STRETCHED;
 use crate::graph::{Arg, Expr, Group, NodeIndex};
 use crate::run::written_out;
 use crate::space::{Axis, Length, Scope, fit, shares};
@@ -57,9 +58,18 @@ impl Search<'_, '_> {
         groups: &[Group],
     ) -> Option<Found> {
         let row = Row { node, around, scope, axis };
-        if self.rules.laws == Laws::Widened {
-            return self.widened(row, groups);
+        match self.rules.laws {
+            Laws::AsWritten => self.as_written(row, groups),
+            Laws::Widened => self.widened(row, groups),
+            Laws::Stretched => {
+                let mut best = self.as_written(row, groups);
+                keep(&mut best, self.widened_at_a_price(row, groups));
+                best
+            }
         }
+    }
+
+    fn as_written(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Found> {
         let (laws, children) = self.laws(row)?;
         match laws.iter().map(Law::certain).collect::<Option<Few<Length>>>() {
             Some(lengths) => self.fixed(row, &lengths, &children, groups, Cost::NONE),
@@ -231,17 +241,31 @@ impl Search<'_, '_> {
         for (count, chance) in counts.into_iter().filter(|(count, _)| *count <= 16.0 * (most + 1.0)) {
             *chances.entry(count as u32).or_insert(0.0) += chance;
         }
-        if self.rules.laws == Laws::Widened {
-            chances.extend((1..=row.total().max(1) as u32).map(|count| (count, 1.0)));
-        }
+        let any = 1..=row.total().max(1) as u32;
         let mut best = None;
+        match self.rules.laws {
+            Laws::AsWritten => {}
+            Laws::Widened => chances.extend(any.map(|count| (count, 1.0))),
+            Laws::Stretched => {
+                for count in any.filter(|count| !chances.contains_key(count)) {
+                    let found = self.times(row, child, count, STRETCHED);
+                    let choice = Choice::StretchedTimes(count);
+                    keep(&mut best, found.map(|found| Found { choice, ..found }));
+                }
+            }
+        }
         for (count, chance) in chances {
-            let laid = shares(row.total(), count).enumerate();
-            let laid: Vec<Laid> =
-                laid.map(|(at, (low, high))| Laid { child, low, high, number: at as u32 }).collect();
-            let found = self.row(row, &laid, Cost::of_chance(chance));
-            keep(&mut best, found.map(|found| Found { choice: Choice::Times(count), ..found }));
+            let found = self.times(row, child, count, Cost::of_chance(chance));
+            keep(&mut best, found);
         }
         best
+    }
+
+    fn times(&mut self, row: Row<'_>, child: NodeIndex, count: u32, cost: Cost) -> Option<Found> {
+        let laid = shares(row.total(), count).enumerate();
+        let laid: Vec<Laid> =
+            laid.map(|(at, (low, high))| Laid { child, low, high, number: at as u32 }).collect();
+        let found = self.row(row, &laid, cost);
+        found.map(|found| Found { choice: Choice::Times(count), ..found })
     }
 }

@@ -1,11 +1,14 @@
 //! Splits whose parts may measure what they like: their order is all that counts.
 
-use super::chart::{Found, Rigour};
+use super::chart::{Choice, Found, Rigour};
 use super::cost::Cost;
 use super::lengths::{Law, Span};
 use super::search::Search;
 use super::split::{Laid, Row};
 use crate::graph::{Group, NodeIndex};
+
+/// What it costs that a split or a repeat does not keep to its laws: more than draws take where it does.
+pub const STRETCHED: Cost = Cost { lost: 0, left: 0, bits: 64.0, steps: 0 };
 
 /// The parts of a split as a chain, in which groups lead back or are passed by.
 struct Chain {
@@ -25,6 +28,19 @@ impl Search<'_, '_> {
     /// The cheapest derivation of a split with parts of any length: absolute ones take a block at least, unless the
     /// grammar lets them be less.
     pub fn widened(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Found> {
+        let laid = self.laid_widely(row, groups)?;
+        self.row(row, &laid, Cost::NONE)
+    }
+
+    /// The same at a price, and which part is how long.
+    pub fn widened_at_a_price(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Found> {
+        let laid = self.laid_widely(row, groups)?;
+        let lengths = laid.iter().map(|part| (part.number, part.high - part.low));
+        let choice = Choice::Stretched(lengths.collect());
+        self.row(row, &laid, STRETCHED).map(|found| Found { choice, ..found })
+    }
+
+    fn laid_widely(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Vec<Laid>> {
         let chain = self.chain(row, groups)?;
         let total = row.total();
         let goes_on = self.goes_on(row, &chain);
@@ -55,8 +71,7 @@ impl Search<'_, '_> {
                 }
             }
         }
-        let laid = walked(&chain, &reached, width, total)?;
-        self.row(row, &laid, Cost::NONE)
+        walked(&chain, &reached, width, total)
     }
 
     fn chain(&self, row: Row<'_>, groups: &[Group]) -> Option<Chain> {

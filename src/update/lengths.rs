@@ -1,0 +1,124 @@
+//! Which numbers a derivation asks for that the grammar does not give.
+
+use super::change::Change;
+use super::demand::{Demands, Site};
+use super::texts::{Edit, Operations, Program};
+use crate::grammar::ast::{Expr, ExprKind, Item, Op, Rule, Size, SizeKind, Successor};
+use crate::grammar::{Name, Names};
+use crate::graph;
+use crate::parse::{Choice, Derivation, Step};
+use crate::space::Axis;
+use std::rc::Rc;
+
+/// The edits with which a derivation keeps to the lengths that the grammar says; `None` where there are none.
+pub fn widened(program: &Program, derivation: &Derivation) -> Option<(Vec<Edit>, Vec<Change>)> {
+    let operations = program.operations();
+    let mut demands = Demands::new(program);
+    for (at, step) in derivation.steps.iter().enumerate() {
+        if matches!(step.choice, Choice::Stretched(_) | Choice::StretchedTimes(_)) {
+            let site = site(program, &operations, &derivation.steps, &path(&derivation.steps, at))?;
+            let (rule, successor) = operations.at(program.graph.origin(step.node)?.span)?;
+            ask(&mut demands, step, successor, rule, &site)?;
+        }
+    }
+    demands.granted()
+}
+
+/// The steps that one is inside of, from the root down, and itself.
+pub fn path(steps: &[Step], at: usize) -> Vec<usize> {
+    let mut path = vec![at];
+    let mut depth = steps[at].depth;
+    for (above, step) in steps[..at].iter().enumerate().rev() {
+        if step.depth < depth {
+            path.push(above);
+            depth = step.depth;
+        }
+    }
+    path.reverse();
+    path
+}
+
+/// The sizes of a split's parts, those in groups among them, and the parts.
+pub fn parts(items: &[Item]) -> Vec<(&Size, &Successor)> {
+    let mut all = Vec::new();
+    for item in items {
+        match item {
+            Item::Part { size, body } => all.push((size, body)),
+            Item::Group { items, .. } => all.extend(parts(items)),
+        }
+    }
+    all
+}
+
+/// Where the expressions of the last step of a path stand.
+fn site<'p>(
+    program: &Program,
+    operations: &Operations<'p>,
+    steps: &[Step],
+    path: &[usize],
+) -> Option<Site<'p>> {
+    let (&last, above) = path.split_last()?;
+    let origin = |at: usize| program.graph.origin(steps[at].node).map(|origin| origin.span);
+    let (rule, _) = operations.at(origin(last)?)?;
+    let is_call = |at: &usize| matches!(program.graph.op(steps[above[*at]].node), graph::Op::Call(_));
+    let call = match (0..above.len()).rev().find(is_call) {
+        None => None,
+        Some(at) => {
+            let (_, successor) = operations.at(origin(above[at])?)?;
+            let Op::Call { args, .. } = &successor.op else { return None };
+            Some((args.as_slice(), Rc::new(site(program, operations, steps, &path[..=at])?)))
+        }
+    };
+    Some(Site { rule: Some(rule), scope: Some(steps[last].scope), call })
+}
+
+/// Asks for what one step needs.
+fn ask<'p>(
+    demands: &mut Demands<'p>,
+    step: &Step,
+    successor: &'p Successor,
+    rule: &'p Rule,
+    site: &Site<'p>,
+) -> Option<()> {
+    let own = rule.label.name.as_str();
+    match (&successor.op, &step.choice) {
+        (Op::Split { items, .. }, Choice::Stretched(lengths)) => {
+            let parts = parts(items);
+            lengths.iter().try_for_each(|(number, length)| {
+                let (size, body) = parts.get(*number as usize)?;
+                match size.kind {
+                    SizeKind::Floating => Some(()),
+                    SizeKind::Absolute => {
+                        demands.ask(&size.value, f64::from(*length), called(body).unwrap_or(own), site)
+                    }
+                    SizeKind::Relative => None,
+                }
+            })
+        }
+        (Op::RepeatN { count, body, .. }, Choice::StretchedTimes(times)) => {
+            demands.ask(count, f64::from(*times), called(body).unwrap_or(own), site)
+        }
+        (Op::Repeat { axis, size, body, .. }, Choice::StretchedTimes(times)) => {
+            let total = step.scope.len(plain_axis(axis)?);
+            let each = f64::from(total) / f64::from(*times);
+            demands.ask(size, each, called(body).unwrap_or(own), site)
+        }
+        _ => None,
+    }
+}
+
+fn called(body: &Successor) -> Option<&str> {
+    match &body.op {
+        Op::Call { label, .. } => Some(&label.name),
+        _ => None,
+    }
+}
+
+/// An axis that is written as one.
+pub fn plain_axis(expr: &Expr) -> Option<Axis> {
+    let ExprKind::Name(name) = &expr.kind else { return None };
+    match (Names { params: &[], constants: &[] }).resolve(name) {
+        Name::Axis(axis) => Some(axis),
+        _ => None,
+    }
+}
