@@ -232,7 +232,7 @@ impl Search<'_, '_> {
             let is_air = states.is_air(kind);
             cost = cost.plus(match (*id == BARE, self.backdrop) {
                 (true, Backdrop::Others) => Cost { left: u64::from(!is_air), ..Cost::NONE },
-                (true, Backdrop::Air) => Cost::of_lost(u64::from(!is_air)),
+                (true, Backdrop::Air) => Cost::of_bare(u64::from(!is_air)),
                 (false, _) => Cost::of_lost(u64::from(!states.gives(ids[usize::from(*id)], kind))),
             });
             if self.rigour == Rigour::Exact && cost.lost > 0 {

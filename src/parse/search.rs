@@ -199,7 +199,7 @@ impl<'a, 'g> Search<'a, 'g> {
 
     fn given_up(&self, scope: &Scope) -> Option<Found> {
         let lost = scope.bounds.volume();
-        let found = Found { cost: Cost::of_lost(lost), choice: Choice::Other(lost), pieces: Box::new([]) };
+        let found = Found { cost: Cost::of_bare(lost), choice: Choice::Other(lost), pieces: Box::new([]) };
         (self.rigour == Rigour::Nearest).then_some(found)
     }
 
@@ -217,7 +217,7 @@ impl<'a, 'g> Search<'a, 'g> {
         match (self.backdrop, self.rigour) {
             (Backdrop::Others, _) => Some(Cost { left: solid, ..Cost::NONE }),
             (Backdrop::Air, Rigour::Exact) => (solid == 0).then_some(Cost::NONE),
-            (Backdrop::Air, Rigour::Nearest) => Some(Cost::of_lost(solid)),
+            (Backdrop::Air, Rigour::Nearest) => Some(Cost::of_bare(solid)),
         }
     }
 

@@ -8,7 +8,7 @@ use super::split::{Laid, Row};
 use crate::graph::{Group, NodeIndex};
 
 /// What it costs that a split or a repeat does not keep to its laws: more than draws take where it does.
-pub const STRETCHED: Cost = Cost { lost: 0, left: 0, bits: 64.0, steps: 0 };
+pub const STRETCHED: Cost = Cost { bits: 64.0, ..Cost::NONE };
 
 /// The parts of a split as a chain, in which groups lead back or are passed by.
 struct Chain {

@@ -12,7 +12,7 @@ use crate::grammar::ast::{BinaryOp, Expr, ExprKind, Rule};
 use crate::grammar::{Grammar, Span, parse};
 use crate::grid::Grid;
 use crate::parse::{Choice, Derivation, Step};
-use crate::space::{Axis, Scope};
+use crate::space::{Axis, Frame, Scope, Turn};
 
 /// A change to a grammar that may explain more of a house.
 #[derive(Clone, Debug)]
@@ -31,8 +31,17 @@ pub fn candidates(program: &Program, nearest: &Derivation, house: &Grid) -> Vec<
     let path = path(&nearest.steps, region);
     let operations = program.operations();
     let writer = Writer { program, operations: &operations, steps: &nearest.steps, house };
-    let around = (1..=path.len()).rev().take(MOST_STEPS).map(|length| &path[..length]);
+    // All of the house is no part of it.
+    let around = (2..=path.len()).rev().take(MOST_STEPS).map(|length| &path[..length]);
     around.flat_map(|path| [writer.inside(path), writer.whole(path)]).flatten().collect()
+}
+
+/// All of a house as an alternative of the rule that a run starts with, for houses of that size.
+pub fn anew(program: &Program, house: &Grid) -> Option<Candidate> {
+    let frame = Frame { up: program.graph.up, turn: Turn::NONE };
+    let scope = Scope { bounds: house.bounds(), frame };
+    let writer = Writer { program, operations: &program.operations(), steps: &[], house };
+    writer.replacing(program.checked.first_label(), &scope, |_| Axis::ALL.map(|axis| Some(Fills::Only(scope.len(axis)))))
 }
 
 /// The step with most cells that are other than it says, the first of equal ones.
@@ -65,20 +74,22 @@ impl Writer<'_, '_> {
     fn whole(&self, path: &[usize]) -> Option<Candidate> {
         let step = &self.steps[*path.last()?];
         let label = &self.program.graph.name(step.node)?.label;
-        let last = self.last_rule(label)?;
-        let Local { file, rule, .. } = self.local(last)?;
-        let learnt = learn(self.house, &step.scope)?;
-        let condition = match path.len() {
-            1 => exactly(&step.scope),
-            _ => filled(&step.scope, learnt.fills.map(Some)),
-        };
-        let (successor, rules) = self.named(learnt);
-        self.written(&file, last, Rule { condition, successor, ..rule }, rules)
+        self.replacing(label, &step.scope, |learnt| learnt.fills.map(Some))
     }
 
-    /// What was learnt, under names that are free.
-    fn named(&self, learnt: Learnt) -> (crate::grammar::ast::Successor, Vec<Rule>) {
-        renamed(learnt.successor, learnt.rules, &mut self.taken())
+    /// One that gives what the house has in a scope, for scopes that are as `fills` says.
+    fn replacing(
+        &self,
+        label: &str,
+        scope: &Scope,
+        fills: impl Fn(&Learnt) -> [Option<Fills>; 3],
+    ) -> Option<Candidate> {
+        let last = self.last_rule(label)?;
+        let Local { file, rule, .. } = self.local(last)?;
+        let learnt = learn(self.house, scope)?;
+        let condition = filled(scope, fills(&learnt));
+        let (successor, rules) = renamed(learnt.successor, learnt.rules, &mut self.taken());
+        self.written(&file, last, Rule { condition, successor, ..rule }, rules)
     }
 
     pub fn taken(&self) -> Taken {
@@ -125,11 +136,6 @@ fn without_comments(mut rule: Rule) -> Rule {
     rule.behind = None;
     super::graft::uncomment(&mut rule.successor);
     rule
-}
-
-/// That a scope is as large as this one.
-fn exactly(scope: &Scope) -> Option<Expr> {
-    filled(scope, Axis::ALL.map(|axis| Some(Fills::Only(scope.len(axis)))))
 }
 
 /// That a scope can be filled; nothing where all can. `None` of an axis asks for nothing.

@@ -70,7 +70,7 @@ impl<'p> Demands<'p> {
             Some(_) => false,
         };
         match is_within {
-            true => self.ask(&constant.value, value, &constant.name.name, &Site::default()),
+            true => self.ask(&constant.value, value, &format!("`{}`", constant.name.name), &Site::default()),
             false => None,
         }
     }

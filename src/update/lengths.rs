@@ -80,7 +80,10 @@ fn ask<'p>(
     rule: &'p Rule,
     site: &Site<'p>,
 ) -> Option<()> {
-    let own = rule.label.name.as_str();
+    let what = |body: &Successor| match called(body) {
+        Some(label) => format!("`{label}` in `{}`", rule.label.name),
+        None => format!("`{}`", rule.label.name),
+    };
     match (&successor.op, &step.choice) {
         (Op::Split { items, .. }, Choice::Stretched(lengths)) => {
             let parts = parts(items);
@@ -89,19 +92,19 @@ fn ask<'p>(
                 match size.kind {
                     SizeKind::Floating => Some(()),
                     SizeKind::Absolute => {
-                        demands.ask(&size.value, f64::from(*length), called(body).unwrap_or(own), site)
+                        demands.ask(&size.value, f64::from(*length), &what(body), site)
                     }
                     SizeKind::Relative => None,
                 }
             })
         }
         (Op::RepeatN { count, body, .. }, Choice::StretchedTimes(times)) => {
-            demands.ask(count, f64::from(*times), called(body).unwrap_or(own), site)
+            demands.ask(count, f64::from(*times), &what(body), site)
         }
         (Op::Repeat { axis, size, body, .. }, Choice::StretchedTimes(times)) => {
             let total = step.scope.len(plain_axis(axis)?);
             let each = f64::from(total) / f64::from(*times);
-            demands.ask(size, each, called(body).unwrap_or(own), site)
+            demands.ask(size, each, &what(body), site)
         }
         _ => None,
     }

@@ -3,8 +3,10 @@
 //! Edits are made on the text, so that all they leave alone stays byte for byte.
 
 mod alternative;
+mod bound;
 mod change;
 mod demand;
+mod extend;
 mod fills;
 mod graft;
 mod growth;
@@ -18,14 +20,13 @@ mod weight;
 
 use crate::grid::Grid;
 use crate::infer::Example;
-use crate::parse::{Derivation, Laws, Parser};
+use crate::parse::{Laws, Parser};
 use crate::run::Library;
-use crate::score::model_bits;
 use crate::space::{Axis, Cell, Frame, Scope, Turn};
-use alternative::{Candidate, candidates};
+use start::{Manner, started};
 
 pub use change::Change;
-pub use texts::{Program, Texts};
+pub use texts::{Edit, Program, Texts};
 
 /// A grammar that derives a house.
 #[derive(Clone, Debug)]
@@ -46,12 +47,13 @@ pub enum UpdateError {
     Unread,
 }
 
-/// Alternatives that are written for one house, at the most.
-const MOST_ROUNDS: usize = 12;
-/// Operations that one search may look at: many are made.
-const STEPS: u64 = 1 << 18;
-/// What a cell costs that no rule explains: about what it takes to say which block it is, and where.
-const BITS_A_CELL: f64 = 8.0;
+/// A house to be derived.
+struct Task<'h> {
+    house: &'h Grid,
+    /// The same without what the neighbours of its blocks decide.
+    open: Grid,
+    library: &'h Library,
+}
 
 /// Changes a grammar as little as may be so that it derives a house.
 ///
@@ -64,108 +66,44 @@ pub fn update(texts: &Texts, house: &Grid, library: &Library) -> Result<Updated,
     }
     let open = Example::Blocks(house.clone()).open().into_grid().unwrap_or_else(|| house.clone());
     let task = Task { house, open, library };
-    let (texts, mut changes) = if task.is_derived(&program) {
-        (texts.clone(), Vec::new())
-    } else if let Some(widened) = task.widened(texts, &program) {
-        widened
-    } else {
-        task.extended(texts).ok_or(UpdateError::NotFound)?
-    };
-    let (texts, sized) = task.started(&texts).ok_or(UpdateError::NotFound)?;
-    changes.extend(sized);
-    Ok(Updated { texts, changes })
-}
-
-/// A house to be derived.
-struct Task<'h> {
-    house: &'h Grid,
-    /// The same without what the neighbours of its blocks decide.
-    open: Grid,
-    library: &'h Library,
-}
-
-/// How much of a house a grammar explains, and at what length.
-struct Standing {
-    nearest: Derivation,
-    lost: u64,
-    bits: f64,
+    task.updated(texts, &program).ok_or(UpdateError::NotFound)
 }
 
 impl Task<'_> {
+    fn updated(&self, texts: &Texts, program: &Program) -> Option<Updated> {
+        let (texts, mut changes, manner) = if self.is_derived(program) {
+            (texts.clone(), Vec::new(), Manner::Widened)
+        } else if let Some((texts, changes)) = self.widened(texts, program) {
+            (texts, changes, Manner::Widened)
+        } else {
+            self.extended(texts, program)?
+        };
+        let (texts, sized) = started(&texts, self.size(program), manner, self.library)?;
+        changes.extend(sized);
+        let is_done = changes.is_empty() || self.is_derived(&texts.read()?);
+        is_done.then_some(Updated { texts, changes })
+    }
+
+    /// The size of the house in the grammar's axes.
+    fn size(&self, program: &Program) -> Cell {
+        let frame = Frame { up: program.graph.up, turn: Turn::NONE };
+        let scope = Scope { bounds: self.house.bounds(), frame };
+        Cell::from(Axis::ALL.map(|axis| scope.len(axis)))
+    }
+
+    fn parser<'p>(&'p self, program: &'p Program, laws: Laws) -> Parser<'p> {
+        Parser::new(&program.graph, laws).with_library(self.library)
+    }
+
     fn is_derived(&self, program: &Program) -> bool {
-        Parser::new(&program.graph, Laws::AsWritten).with_library(self.library).derives(self.house)
+        self.parser(program, Laws::AsWritten).derives(self.house)
     }
 
     /// With wider numbers, where no more is needed.
     fn widened(&self, texts: &Texts, program: &Program) -> Option<(Texts, Vec<Change>)> {
-        let parser = Parser::new(&program.graph, Laws::Stretched).with_library(self.library);
-        let derivation = parser.parse(self.house).ok()?;
+        let derivation = self.parser(program, Laws::Stretched).parse(self.house).ok()?;
         let (edits, changes) = lengths::widened(program, &derivation)?;
         let texts = texts.edited(&edits);
-        let program = texts.read()?;
-        self.is_derived(&program).then_some((texts, changes))
-    }
-
-    /// With further alternatives, and wider numbers beside them.
-    fn extended(&self, texts: &Texts) -> Option<(Texts, Vec<Change>)> {
-        let (mut texts, mut changes) = (texts.clone(), Vec::new());
-        let mut program = texts.read()?;
-        let mut standing = self.standing(&program)?;
-        for _ in 0..MOST_ROUNDS {
-            let tried = self.tried(&texts, &program, &standing);
-            let best = tried.into_iter().min_by(|one, other| one.2.bits.total_cmp(&other.2.bits))?;
-            let (edited, more, next) = best;
-            if next.bits >= standing.bits {
-                return None;
-            }
-            texts = edited;
-            changes.extend(more);
-            program = texts.read()?;
-            standing = next;
-            if standing.lost == 0 && self.is_derived(&program) {
-                return Some((texts, changes));
-            }
-        }
-        None
-    }
-
-    /// All single changes, and what each comes to.
-    fn tried(
-        &self,
-        texts: &Texts,
-        program: &Program,
-        standing: &Standing,
-    ) -> Vec<(Texts, Vec<Change>, Standing)> {
-        let mut all = candidates(program, &standing.nearest, &self.open);
-        all.extend(self.widening(program));
-        let judged = all.into_iter().filter_map(|Candidate { edits, changes }| {
-            let edited = texts.edited(&edits);
-            let standing = self.standing(&edited.read()?)?;
-            Some((edited, changes, standing))
-        });
-        judged.collect()
-    }
-
-    /// Wider numbers, where they explain more.
-    fn widening(&self, program: &Program) -> Option<Candidate> {
-        let parser = Parser::new(&program.graph, Laws::Stretched).with_library(self.library).with_steps(STEPS);
-        let (edits, changes) = lengths::widened(program, &parser.nearest(self.house)?)?;
-        (!edits.is_empty()).then_some(Candidate { edits, changes })
-    }
-
-    fn standing(&self, program: &Program) -> Option<Standing> {
-        let parser = Parser::new(&program.graph, Laws::AsWritten).with_library(self.library).with_steps(STEPS);
-        let nearest = parser.nearest(self.house)?;
-        let lost = nearest.lost();
-        let bits = model_bits(&program.graph) + nearest.bits + BITS_A_CELL * lost as f64;
-        Some(Standing { nearest, lost, bits })
-    }
-
-    /// With a start scope of the house's size.
-    fn started(&self, texts: &Texts) -> Option<(Texts, Vec<Change>)> {
-        let program = texts.read()?;
-        let scope = Scope { bounds: self.house.bounds(), frame: Frame { up: program.graph.up, turn: Turn::NONE } };
-        let size = Cell::from(Axis::ALL.map(|axis| scope.len(axis)));
-        start::started(texts, &program, size, self.library)
+        self.is_derived(&texts.read()?).then_some((texts, changes))
     }
 }

@@ -1,0 +1,44 @@
+//! Rules that cannot fill a size are kept from it.
+
+use super::change::Change;
+use super::texts::{Edit, Program, Texts};
+use crate::grammar::Span;
+use crate::grammar::ast::Rule;
+use crate::run::{Library, Options, run};
+use crate::space::{Axis, Cell};
+
+/// So many runs are tried.
+const RUNS: u64 = 16;
+
+/// Keeps the rules that a grammar starts with from a size at which every run fails: a further alternative for that size
+/// would else stand beside some that end in an error.
+pub fn bound(texts: &Texts, program: &Program, size: Cell, library: &Library) -> Option<(Texts, Vec<Change>)> {
+    let fails = |seed| {
+        let options = Options { seed, size: Some(size), ..Options::default() };
+        run(&program.graph, library, &options).is_err()
+    };
+    if !(0..RUNS).all(fails) {
+        return None;
+    }
+    let label = program.checked.first_label();
+    let rules = program.checked.rules_of(label);
+    let edits: Vec<Edit> = rules.map(|rule| other_sizes(program, rule, size)).collect();
+    let change = Change::Bound { label: label.to_owned(), size: size.to_array() };
+    Some((texts.edited(&edits), vec![change]))
+}
+
+/// The edit that binds a rule to other sizes.
+fn other_sizes(program: &Program, rule: &Rule, size: Cell) -> Edit {
+    let is = |axis: Axis| format!("scope.s{axis} == {}", axis.of(size));
+    let other = format!("not ({})", Axis::ALL.map(is).join(" and "));
+    match &rule.condition {
+        None => {
+            let end = rule.label.span.end;
+            program.edit(Span::new(end, end), format!(" : {other}"))
+        }
+        Some(condition) => {
+            let words = program.words(condition.span);
+            program.edit(condition.span, format!("({words}) and {other}"))
+        }
+    }
+}
