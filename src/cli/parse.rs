@@ -136,7 +136,7 @@ fn choice(program: &Program, step: &Step) -> Option<String> {
     let list = |lengths: &[i32]| lengths.iter().map(ToString::to_string).collect::<Vec<_>>().join(" + ");
     Some(match &step.choice {
         Choice::Only => return None,
-        Choice::Alternative(number) => {
+        Choice::Alternative(number) | Choice::StretchedAlternative(number) => {
             format!("rule {} of {}", number + 1, program.graph.children(step.node).count())
         }
         Choice::Lengths(lengths) => list(lengths),
@@ -191,7 +191,7 @@ fn step_json(program: &Program, step: &Step) -> Value {
     });
     let (key, chosen) = match &step.choice {
         Choice::Only => return value,
-        Choice::Alternative(number) => ("rule", json!(number + 1)),
+        Choice::Alternative(number) | Choice::StretchedAlternative(number) => ("rule", json!(number + 1)),
         Choice::Lengths(lengths) => ("lengths", json!(&**lengths)),
         Choice::Times(count) | Choice::StretchedTimes(count) => ("times", json!(count)),
         Choice::Stretched(lengths) => {

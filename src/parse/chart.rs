@@ -50,6 +50,8 @@ pub enum Choice {
     Times(u32),
     /// Lengths that the grammar does not give: those of the parts that are not empty, by their numbers.
     Stretched(Arc<[(u32, i32)]>),
+    /// The child of that number, whose condition does not hold.
+    StretchedAlternative(u32),
     /// A number of repetitions that the grammar does not give.
     StretchedTimes(u32),
     /// The arguments of a call, as texts.

@@ -50,7 +50,8 @@ pub enum Laws {
     /// Any: parts and repetitions come in the order of the grammar, but absolute ones may measure any number of blocks
     /// from one on, floating ones any at all.
     Widened,
-    /// Those that the grammar says, where they will do; else any, as if widened, at a price that keeps such places few.
+    /// Those that the grammar says, where they will do; else any, as if widened, at a price that keeps such places few. So
+    /// are rules taken whose conditions do not hold.
     Stretched,
 }
 

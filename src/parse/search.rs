@@ -10,6 +10,7 @@ use super::states::States;
 use super::surroundings::{Around, Known};
 use super::target::Target;
 use super::value::Value;
+use super::widened::STRETCHED_CHANCE;
 use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph};
 use crate::run::{Body, Library, quarter_turns};
 use crate::space::{Bounds, Footprint, Rect, Scope, Spot};
@@ -299,9 +300,8 @@ impl<'a, 'g> Search<'a, 'g> {
 
     fn choose(&mut self, node: NodeIndex, around: Around, scope: &Scope) -> Option<Found> {
         let mut best = None;
-        for Open { number, child, chance } in self.open(node, around, scope)? {
+        for Open { choice, child, chance } in self.open(node, around, scope)? {
             let cost = self.solve(child, around, scope).map(|cost| cost.plus(Cost::of_chance(chance)));
-            let choice = Choice::Alternative(number);
             keep(&mut best, cost.map(|cost| one(cost, choice, Piece::of(child, around, scope, scope))));
         }
         best
@@ -310,7 +310,7 @@ impl<'a, 'g> Search<'a, 'g> {
     /// The rules that apply, with their chances, level by level as far as one may be reached.
     fn open(&self, node: NodeIndex, around: Around, scope: &Scope) -> Option<Vec<Open>> {
         let sight = self.sight(around, scope);
-        let mut all = Vec::new();
+        let (mut all, mut closed) = (Vec::new(), Vec::new());
         for (number, (arg, child)) in self.rules.graph.children(node).enumerate() {
             if let Arg::Alternative(alternative) = arg {
                 let holds = match &alternative.condition {
@@ -320,6 +320,9 @@ impl<'a, 'g> Search<'a, 'g> {
                 if holds > 0.0 {
                     let weight = sight.weight(&alternative.weight)?;
                     all.push((alternative.priority, holds, weight, number as u32, child));
+                } else if self.rules.laws == Laws::Stretched {
+                    let choice = Choice::StretchedAlternative(number as u32);
+                    closed.push(Open { choice, child, chance: STRETCHED_CHANCE });
                 }
             }
         }
@@ -330,7 +333,7 @@ impl<'a, 'g> Search<'a, 'g> {
             let total: f64 = level.iter().map(|(_, holds, weight, ..)| holds * weight).sum();
             let weighted = level.iter().filter(|(_, _, weight, ..)| *weight > 0.0);
             open.extend(weighted.map(|&(_, holds, weight, number, child)| Open {
-                number,
+                choice: Choice::Alternative(number),
                 child,
                 chance: reached * holds * weight / total,
             }));
@@ -339,6 +342,7 @@ impl<'a, 'g> Search<'a, 'g> {
                 break;
             }
         }
+        open.extend(closed);
         Some(open)
     }
 
@@ -351,7 +355,7 @@ impl<'a, 'g> Search<'a, 'g> {
 
 /// A rule that applies.
 struct Open {
-    number: u32,
+    choice: Choice,
     child: NodeIndex,
     chance: f64,
 }

@@ -1,11 +1,15 @@
 //! Splits whose parts may measure what they like: their order is all that counts.
 
+use super::Laws;
 use super::chart::{Choice, Found, Rigour};
 use super::cost::Cost;
 use super::lengths::{Law, Span};
 use super::search::Search;
 use super::split::{Laid, Row};
 use crate::graph::{Group, NodeIndex};
+
+/// How likely a rule is taken for whose condition does not hold.
+pub const STRETCHED_CHANCE: f64 = 1.0 / (1u128 << 64) as f64;
 
 /// What it costs that a split or a repeat does not keep to its laws: more than draws take where it does.
 pub const STRETCHED: Cost = Cost { bits: 64.0, ..Cost::NONE };
@@ -43,6 +47,7 @@ impl Search<'_, '_> {
     fn laid_widely(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Vec<Laid>> {
         let chain = self.chain(row, groups)?;
         let total = row.total();
+        self.pay_for(&chain, total)?;
         let goes_on = self.goes_on(row, &chain);
         let width = total as usize + 1;
         let mut reached: Vec<Option<Reached>> = vec![None; (chain.parts.len() + 1) * width];
@@ -72,6 +77,17 @@ impl Search<'_, '_> {
             }
         }
         walked(&chain, &reached, width, total)
+    }
+
+    /// Where laws are stretched, every split is looked at so: each of its lengths counts as a step. `None` where too few
+    /// are left.
+    fn pay_for(&mut self, chain: &Chain, total: i32) -> Option<()> {
+        if self.rules.laws != Laws::Stretched {
+            return Some(());
+        }
+        let ways = chain.parts.len() as u64 * total as u64 * (total as u64 + 1) / 2;
+        self.steps = self.steps.saturating_sub(ways);
+        (self.steps > 0).then_some(())
     }
 
     fn chain(&self, row: Row<'_>, groups: &[Group]) -> Option<Chain> {

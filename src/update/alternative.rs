@@ -6,6 +6,7 @@ use super::layout::end_of_item;
 use super::learnt::{Learnt, learn};
 use super::lengths::path;
 use super::names::{Taken, renamed};
+use super::reuse::{Known, reused};
 use super::texts::{Edit, Operations, Program};
 use super::weight::weight;
 use crate::grammar::ast::{BinaryOp, Expr, ExprKind, Rule};
@@ -65,6 +66,8 @@ pub struct Writer<'p, 's> {
 pub struct Local {
     pub file: String,
     pub rule: Rule,
+    /// The rules of the file that need not be written again.
+    pub known: Known,
     /// From a place in the file to the same place behind all files before it.
     pub offset: usize,
 }
@@ -85,10 +88,11 @@ impl Writer<'_, '_> {
         fills: impl Fn(&Learnt) -> [Option<Fills>; 3],
     ) -> Option<Candidate> {
         let last = self.last_rule(label)?;
-        let Local { file, rule, .. } = self.local(last)?;
+        let Local { file, rule, known, .. } = self.local(last)?;
         let learnt = learn(self.house, scope)?;
         let condition = filled(scope, fills(&learnt));
         let (successor, rules) = renamed(learnt.successor, learnt.rules, &mut self.taken());
+        let (successor, rules) = reused(successor, rules, &known);
         self.written(&file, last, Rule { condition, successor, ..rule }, rules)
     }
 
@@ -106,10 +110,12 @@ impl Writer<'_, '_> {
     pub fn local(&self, rule: &Rule) -> Option<Local> {
         let place = self.program.sources.place(rule.label.span);
         let Grammar { rules, .. } = parse(place.text).ok()?;
+        let rules: Vec<Rule> = rules.into_iter().map(without_comments).collect();
+        let known = Known::of(&rules);
         let start = place.span.start;
         let own = rules.into_iter().find(|rule| rule.label.span.start == start)?;
         let offset = rule.label.span.start - start;
-        Some(Local { file: place.name.to_owned(), rule: without_comments(own), offset })
+        Some(Local { file: place.name.to_owned(), rule: own, known, offset })
     }
 
     /// The candidate that writes a rule, and those that it calls, behind the last of its label.

@@ -1,6 +1,7 @@
 //! Rules that cannot fill a size are kept from it.
 
 use super::change::Change;
+use super::condition::is;
 use super::texts::{Edit, Program, Texts};
 use crate::grammar::Span;
 use crate::grammar::ast::Rule;
@@ -29,8 +30,7 @@ pub fn bound(texts: &Texts, program: &Program, size: Cell, library: &Library) ->
 
 /// The edit that binds a rule to other sizes.
 fn other_sizes(program: &Program, rule: &Rule, size: Cell) -> Edit {
-    let is = |axis: Axis| format!("scope.s{axis} == {}", axis.of(size));
-    let other = format!("not ({})", Axis::ALL.map(is).join(" and "));
+    let other = format!("not ({})", is(&Axis::ALL, size.to_array()));
     match &rule.condition {
         None => {
             let end = rule.label.span.end;

@@ -13,7 +13,7 @@ use crate::score::model_bits;
 /// Alternatives that are written for one house, at the most.
 const MOST_ROUNDS: usize = 12;
 /// Operations that one search may look at: many searches are made.
-const STEPS: u64 = 1 << 18;
+const STEPS: u64 = 1 << 15;
 /// What a cell costs that no rule explains: about what it takes to say which block it is, and where.
 const BITS_A_CELL: f64 = 12.0;
 

@@ -6,6 +6,7 @@ use super::growth::{Growth, growth};
 use super::learnt::{Learnt, learn};
 use super::lengths::path;
 use super::names::renamed;
+use super::reuse::reused;
 use crate::grammar::Span;
 use crate::grammar::ast::{BinaryOp, Rule, Successor, for_each_child_mut};
 use crate::parse::Choice;
@@ -18,12 +19,13 @@ impl Writer<'_, '_> {
         let (&last, above) = path.split_last()?;
         let (rule, _) = self.operations.at(self.origin(last)?)?;
         let top = *above.iter().rev().take_while(|at| self.is_in(rule, **at)).last()?;
-        let Local { file, rule: mut own, offset } = self.local(rule)?;
+        let Local { file, rule: mut own, known, offset } = self.local(rule)?;
         let mut taken = self.taken();
         let (mut rules, mut needs) = (Vec::new(), [None; 3]);
         for at in self.misfits(rule, top, last) {
             let Learnt { successor, rules: more, fills } = learn(self.house, &self.steps[at].scope)?;
             let (successor, more) = renamed(successor, more, &mut taken);
+            let (successor, more) = reused(successor, more, &known);
             replace(&mut own.successor, self.origin(at)?, offset, &successor);
             rules.extend(more);
             for axis in Axis::ALL {

@@ -1,6 +1,7 @@
 //! Which numbers a derivation asks for that the grammar does not give.
 
 use super::change::Change;
+use super::condition::relaxed;
 use super::demand::{Demands, Site};
 use super::texts::{Edit, Operations, Program};
 use crate::grammar::ast::{Expr, ExprKind, Item, Op, Rule, Size, SizeKind, Successor};
@@ -8,6 +9,7 @@ use crate::grammar::{Name, Names};
 use crate::graph;
 use crate::parse::{Choice, Derivation, Step};
 use crate::space::Axis;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The edits with which a derivation keeps to the lengths that the grammar says; `None` where there are none.
@@ -21,7 +23,41 @@ pub fn widened(program: &Program, derivation: &Derivation) -> Option<(Vec<Edit>,
             ask(&mut demands, step, successor, rule, &site)?;
         }
     }
-    demands.granted()
+    let (mut edits, mut changes) = demands.granted()?;
+    let (more_edits, more_changes) = conditions(program, derivation)?;
+    edits.extend(more_edits);
+    changes.extend(more_changes);
+    Some((edits, changes))
+}
+
+/// The same for rules that are taken where their conditions do not hold.
+fn conditions(program: &Program, derivation: &Derivation) -> Option<(Vec<Edit>, Vec<Change>)> {
+    let mut asked: BTreeMap<usize, (&Rule, Vec<[i32; 3]>)> = BTreeMap::new();
+    for step in &derivation.steps {
+        if let Choice::StretchedAlternative(number) = step.choice {
+            let label = &program.graph.origin(step.node)?.label;
+            let rule = closed_rule(program, label, number as usize)?;
+            let (_, sizes) = asked.entry(rule.label.span.start).or_insert((rule, Vec::new()));
+            sizes.push(Axis::ALL.map(|axis| step.scope.len(axis)));
+        }
+    }
+    let edits = asked.into_values().map(|(rule, mut sizes)| {
+        sizes.sort_unstable();
+        sizes.dedup();
+        let condition = rule.condition.as_ref()?;
+        let to = relaxed(program, condition, &sizes)?;
+        let from = program.words(condition.span).to_owned();
+        let what = format!("when `{}` applies", rule.label.name);
+        Some((program.edit(condition.span, to.clone()), Change::Widened { what, from, to }))
+    });
+    edits.collect::<Option<Vec<(Edit, Change)>>>().map(|list| list.into_iter().unzip())
+}
+
+/// A rule of a label by its number. Where rules have priorities, one that applies more often hides others.
+fn closed_rule<'p>(program: &'p Program, label: &str, number: usize) -> Option<&'p Rule> {
+    let first = program.checked.rules_of(label).next()?.priority;
+    let is_level = program.checked.rules_of(label).all(|rule| rule.priority == first);
+    program.checked.rules_of(label).nth(number).filter(|_| is_level)
 }
 
 /// The steps that one is inside of, from the root down, and itself.

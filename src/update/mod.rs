@@ -5,6 +5,7 @@
 mod alternative;
 mod bound;
 mod change;
+mod condition;
 mod demand;
 mod extend;
 mod fills;
@@ -14,6 +15,7 @@ mod layout;
 mod learnt;
 mod lengths;
 mod names;
+mod reuse;
 mod start;
 mod texts;
 mod weight;
@@ -46,6 +48,9 @@ pub enum UpdateError {
     #[error("the grammar does not read")]
     Unread,
 }
+
+/// Operations that the search for wider numbers may look at.
+const STRETCHING_STEPS: u64 = 1 << 20;
 
 /// A house to be derived.
 struct Task<'h> {
@@ -101,7 +106,8 @@ impl Task<'_> {
 
     /// With wider numbers, where no more is needed.
     fn widened(&self, texts: &Texts, program: &Program) -> Option<(Texts, Vec<Change>)> {
-        let derivation = self.parser(program, Laws::Stretched).parse(self.house).ok()?;
+        let parser = self.parser(program, Laws::Stretched).with_steps(STRETCHING_STEPS);
+        let derivation = parser.parse(self.house).ok()?;
         let (edits, changes) = lengths::widened(program, &derivation)?;
         let texts = texts.edited(&edits);
         self.is_derived(&texts.read()?).then_some((texts, changes))
