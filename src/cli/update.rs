@@ -6,7 +6,7 @@ use super::output::{self, Output};
 use super::report;
 use super::settings::Settings;
 use crate::graph::dot;
-use crate::update::{Change, Texts, Updated, update};
+use crate::update::{Change, TRIALS, Texts, Updated, update};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -29,8 +29,15 @@ pub fn execute(task: &Task<'_>) -> Result<(), Failure> {
     for path in &paths {
         let house = input::grid(path, &task.reading)?;
         let updated = update(&texts, &house, &library);
-        let Updated { texts: next, changes: more } =
+        let Updated { texts: next, changes: more, failures } =
             updated.map_err(|error| Failure::of_file(&input::name(path), error))?;
+        if failures > 0 {
+            report::warning(&format!(
+                "{}: of {TRIALS} runs of the updated grammar {failures} more than before end in an error: \
+                 some of its rules do not fit together any more",
+                input::name(path)
+            ));
+        }
         texts = next;
         changes.push(more);
     }

@@ -38,9 +38,7 @@ fn is_among(sight: &Sight<'_>, length: &Expr, wanted: i32) -> bool {
     let rounds = |number: f64| number.round() as i32 == wanted;
     match sight.draw(length) {
         None => false,
-        Some(Draw::Between(low, high)) => {
-            (low.round()..=high.round()).contains(&f64::from(wanted))
-        }
+        Some(Draw::Between(low, high)) => (low.round()..=high.round()).contains(&f64::from(wanted)),
         Some(drawn) => drawn.numbers().is_some_and(|list| list.iter().any(|(number, _)| rounds(*number))),
     }
 }

@@ -9,11 +9,12 @@ use super::names::{Taken, renamed};
 use super::reuse::{Known, reused};
 use super::texts::{Edit, Operations, Program};
 use super::weight::weight;
-use crate::grammar::ast::{BinaryOp, Expr, ExprKind, Rule};
+use crate::grammar::ast::{BinaryOp, Expr, ExprKind, Rule, for_each_call};
 use crate::grammar::{Grammar, Span, parse};
 use crate::grid::Grid;
 use crate::parse::{Choice, Derivation, Step};
 use crate::space::{Axis, Frame, Scope, Turn};
+use std::collections::BTreeSet;
 
 /// A change to a grammar that may explain more of a house.
 #[derive(Clone, Debug)]
@@ -42,7 +43,9 @@ pub fn anew(program: &Program, house: &Grid) -> Option<Candidate> {
     let frame = Frame { up: program.graph.up, turn: Turn::NONE };
     let scope = Scope { bounds: house.bounds(), frame };
     let writer = Writer { program, operations: &program.operations(), steps: &[], house };
-    writer.replacing(program.checked.first_label(), &scope, |_| Axis::ALL.map(|axis| Some(Fills::Only(scope.len(axis)))))
+    writer.replacing(program.checked.first_label(), &scope, |_| {
+        Axis::ALL.map(|axis| Some(Fills::Only(scope.len(axis))))
+    })
 }
 
 /// The step with most cells that are other than it says, the first of equal ones.
@@ -111,11 +114,32 @@ impl Writer<'_, '_> {
         let place = self.program.sources.place(rule.label.span);
         let Grammar { rules, .. } = parse(place.text).ok()?;
         let rules: Vec<Rule> = rules.into_iter().map(without_comments).collect();
-        let known = Known::of(&rules);
         let start = place.span.start;
-        let own = rules.into_iter().find(|rule| rule.label.span.start == start)?;
         let offset = rule.label.span.start - start;
+        let around = self.around(&rule.label.name);
+        let known = Known::of(&rules, |rule| !around.contains(&(rule.label.span.start + offset)));
+        let own = rules.into_iter().find(|rule| rule.label.span.start == start)?;
         Some(Local { file: place.name.to_owned(), rule: own, known, offset })
+    }
+
+    /// The places of the rules that lead to a label: were they called from there, rules would run in rings.
+    fn around(&self, label: &str) -> BTreeSet<usize> {
+        let rules = &self.program.checked.grammar().rules;
+        let mut labels = BTreeSet::from([label]);
+        loop {
+            let known = labels.len();
+            for rule in rules {
+                let mut leads = false;
+                for_each_call(&rule.successor, &mut |called| leads |= labels.contains(called));
+                if leads {
+                    labels.insert(&rule.label.name);
+                }
+            }
+            if labels.len() == known {
+                let around = rules.iter().filter(|rule| labels.contains(rule.label.name.as_str()));
+                return around.map(|rule| rule.label.span.start).collect();
+            }
+        }
     }
 
     /// The candidate that writes a rule, and those that it calls, behind the last of its label.

@@ -3,22 +3,21 @@
 use super::change::Change;
 use super::condition::is;
 use super::texts::{Edit, Program, Texts};
+use super::trial::always_fails;
 use crate::grammar::Span;
 use crate::grammar::ast::Rule;
-use crate::run::{Library, Options, run};
+use crate::run::Library;
 use crate::space::{Axis, Cell};
-
-/// So many runs are tried.
-const RUNS: u64 = 16;
 
 /// Keeps the rules that a grammar starts with from a size at which every run fails: a further alternative for that size
 /// would else stand beside some that end in an error.
-pub fn bound(texts: &Texts, program: &Program, size: Cell, library: &Library) -> Option<(Texts, Vec<Change>)> {
-    let fails = |seed| {
-        let options = Options { seed, size: Some(size), ..Options::default() };
-        run(&program.graph, library, &options).is_err()
-    };
-    if !(0..RUNS).all(fails) {
+pub fn bound(
+    texts: &Texts,
+    program: &Program,
+    size: Cell,
+    library: &Library,
+) -> Option<(Texts, Vec<Change>)> {
+    if !always_fails(program, size, library) {
         return None;
     }
     let label = program.checked.first_label();

@@ -28,7 +28,8 @@ pub fn relaxed(program: &Program, condition: &Expr, sizes: &[[i32; 3]]) -> Optio
         }
         _ => {
             let axes = axes(condition);
-            (!axes.is_empty()).then(|| sizes.iter().fold(words, |words, size| format!("{words} or {}", is(&axes, *size))))
+            (!axes.is_empty())
+                .then(|| sizes.iter().fold(words, |words, size| format!("{words} or {}", is(&axes, *size))))
         }
     }
 }

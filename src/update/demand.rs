@@ -26,7 +26,14 @@ pub struct Demands<'p> {
 struct Asked<'p> {
     expr: &'p Expr,
     what: String,
-    values: BTreeSet<i32>,
+    wish: Wish,
+}
+
+enum Wish {
+    /// To come to these values as well.
+    Values(BTreeSet<i32>),
+    /// To be the weight of a floating part instead of a length.
+    Float,
 }
 
 impl<'p> Demands<'p> {
@@ -44,11 +51,13 @@ impl<'p> Demands<'p> {
                 self.ask(args.first()?, value, what, site)
             }
             ExprKind::Same(_, inner) => self.ask(inner, value, what, site),
-            ExprKind::Binary(op, left, right) => match (self.certain(left, site), self.certain(right, site)) {
-                (_, Some(right)) => self.ask(left, undone_left(*op, value, right)?, what, site),
-                (Some(left), _) => self.ask(right, undone_right(*op, value, left)?, what, site),
-                _ => None,
-            },
+            ExprKind::Binary(op, left, right) => {
+                match (self.certain(left, site), self.certain(right, site)) {
+                    (_, Some(right)) => self.ask(left, undone_left(*op, value, right)?, what, site),
+                    (Some(left), _) => self.ask(right, undone_right(*op, value, left)?, what, site),
+                    _ => None,
+                }
+            }
             ExprKind::Name(name) => match self.named(name, site) {
                 Name::Param(at) => {
                     let (args, caller) = site.call.as_ref()?;
@@ -79,10 +88,20 @@ impl<'p> Demands<'p> {
         let whole = (value.fract().abs() < 1e-6 && value >= 0.0 && value <= 1e6).then_some(value as i32)?;
         if !covers(expr, f64::from(whole))? {
             let key = (expr.span.start, expr.span.end);
-            let asked =
-                self.asked.entry(key).or_insert(Asked { expr, what: what.to_owned(), values: BTreeSet::new() });
-            asked.values.insert(whole);
+            let wish = Wish::Values(BTreeSet::new());
+            let asked = self.asked.entry(key).or_insert(Asked { expr, what: what.to_owned(), wish });
+            if let Wish::Values(values) = &mut asked.wish {
+                values.insert(whole);
+            }
         }
+        Some(())
+    }
+
+    /// Asks that a part floats whose length is a plain number.
+    pub fn float(&mut self, expr: &'p Expr, what: &str) -> Option<()> {
+        literal(expr)?;
+        let asked = Asked { expr, what: what.to_owned(), wish: Wish::Float };
+        self.asked.insert((expr.span.start, expr.span.end), asked);
         Some(())
     }
 
@@ -121,7 +140,10 @@ impl<'p> Demands<'p> {
     /// The edits that give all that was asked for, with what to tell of them.
     pub fn granted(self) -> Option<(Vec<Edit>, Vec<Change>)> {
         let granted = self.asked.values().map(|asked| {
-            let to = widened(self.program, asked.expr, &asked.values)?;
+            let to = match &asked.wish {
+                Wish::Values(values) => widened(self.program, asked.expr, values)?,
+                Wish::Float => "~1".to_owned(),
+            };
             let from = self.program.words(asked.expr.span).to_owned();
             let edit = self.program.edit(asked.expr.span, to.clone());
             Some((edit, Change::Widened { what: asked.what.clone(), from, to }))

@@ -1,12 +1,12 @@
 //! Alternatives, one after the other, until a grammar derives a house.
 
+use super::Task;
 use super::alternative::{Candidate, anew, candidates};
 use super::bound::bound;
 use super::change::Change;
 use super::lengths;
 use super::start::Manner;
 use super::texts::{Program, Texts};
-use super::Task;
 use crate::parse::{Derivation, Laws};
 use crate::score::model_bits;
 
@@ -28,16 +28,15 @@ struct Way {
 }
 
 impl Task<'_> {
-    /// With further alternatives, and wider numbers beside them; or with all of the house as one alternative, where that
-    /// is shorter.
-    pub fn extended(&self, texts: &Texts, program: &Program) -> Option<(Texts, Vec<Change>, Manner)> {
-        let start = self.way(texts.clone(), Vec::new())?;
-        let anew = self.anew(texts, program);
-        match (self.by_parts(start), anew) {
-            (Some(parts), Some(anew)) if anew.bits < parts.bits => Some((anew.texts, anew.changes, Manner::Apart)),
-            (Some(parts), _) => Some((parts.texts, parts.changes, Manner::Widened)),
-            (None, anew) => anew.map(|anew| (anew.texts, anew.changes, Manner::Apart)),
-        }
+    /// With further alternatives, and wider numbers beside them; and with all of the house as one alternative. The
+    /// shorter comes first.
+    pub fn extended(&self, texts: &Texts, program: &Program) -> Vec<(Texts, Vec<Change>, Manner)> {
+        let parts = self.way(texts.clone(), Vec::new()).and_then(|start| self.by_parts(start));
+        let parts = parts.map(|way| (way, Manner::Widened));
+        let anew = self.anew(texts, program).map(|way| (way, Manner::Apart));
+        let mut all: Vec<(Way, Manner)> = parts.into_iter().chain(anew).collect();
+        all.sort_by(|(one, _), (other, _)| one.bits.total_cmp(&other.bits));
+        all.into_iter().map(|(way, manner)| (way.texts, way.changes, manner)).collect()
     }
 
     fn by_parts(&self, start: Way) -> Option<Way> {

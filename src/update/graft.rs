@@ -34,7 +34,8 @@ impl Writer<'_, '_> {
             }
         }
         let condition = [own.condition.take(), filled(&self.steps[top].scope, needs)];
-        own.condition = condition.into_iter().flatten().reduce(|left, right| binary(BinaryOp::And, left, right));
+        own.condition =
+            condition.into_iter().flatten().reduce(|left, right| binary(BinaryOp::And, left, right));
         self.written(&file, self.last_rule(&rule.label.name)?, own, rules)
     }
 

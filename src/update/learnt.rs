@@ -24,7 +24,11 @@ pub fn learn(house: &Grid, scope: &Scope) -> Option<Learnt> {
     }
     let part = house.cropped(scope.bounds).turned(scope.frame.turn.inverse());
     if part.cells().iter().all(|id| *id == Palette::AIR) {
-        return Some(Learnt { successor: Successor::new(Op::Nil), rules: Vec::new(), fills: [Fills::ALL; 3] });
+        return Some(Learnt {
+            successor: Successor::new(Op::Nil),
+            rules: Vec::new(),
+            fills: [Fills::ALL; 3],
+        });
     }
     let learnt = infer(&[Example::Blocks(part)], Method::Boxes, Freedom::Seen).ok()?;
     let size = Axis::ALL.map(|axis| scope.len(axis));

@@ -123,13 +123,13 @@ fn ask<'p>(
     match (&successor.op, &step.choice) {
         (Op::Split { items, .. }, Choice::Stretched(lengths)) => {
             let parts = parts(items);
+            let floating = newly_floating(items, lengths);
             lengths.iter().try_for_each(|(number, length)| {
                 let (size, body) = parts.get(*number as usize)?;
                 match size.kind {
+                    _ if floating == Some(*number) => demands.float(&size.value, &what(body)),
                     SizeKind::Floating => Some(()),
-                    SizeKind::Absolute => {
-                        demands.ask(&size.value, f64::from(*length), &what(body), site)
-                    }
+                    SizeKind::Absolute => demands.ask(&size.value, f64::from(*length), &what(body), site),
                     SizeKind::Relative => None,
                 }
             })
@@ -144,6 +144,22 @@ fn ask<'p>(
         }
         _ => None,
     }
+}
+
+/// The part that is to float so that a split of plain lengths fills its scope: the one that is longest of those which
+/// are of another length now. In scopes that the split filled before it is as long as it was.
+fn newly_floating(items: &[Item], lengths: &[(u32, i32)]) -> Option<u32> {
+    let plain = items.iter().map(|item| match item {
+        Item::Part { size: Size { kind: SizeKind::Absolute, value }, .. } => match value.kind {
+            ExprKind::Number(length) => Some(length),
+            _ => None,
+        },
+        _ => None,
+    });
+    let plain = plain.collect::<Option<Vec<f64>>>()?;
+    let changed =
+        lengths.iter().filter(|(number, length)| plain.get(*number as usize) != Some(&f64::from(*length)));
+    changed.max_by_key(|(number, length)| (*length, std::cmp::Reverse(*number))).map(|(number, _)| *number)
 }
 
 fn called(body: &Successor) -> Option<&str> {

@@ -79,8 +79,10 @@ mod tests {
 
     #[test]
     fn new_rules_get_names_that_mean_nothing_yet() {
-        let grammar: Grammar = "stone = oak_planks\nwall(b) --> I(b)\nwall_2 --> wall(stone)".parse().unwrap();
-        let learnt: Grammar = "wall --> split(x){ 1 : b | ~1 : I(stone) }\nb --> I(stone_stairs)".parse().unwrap();
+        let grammar: Grammar =
+            "stone = oak_planks\nwall(b) --> I(b)\nwall_2 --> wall(stone)".parse().unwrap();
+        let learnt: Grammar =
+            "wall --> split(x){ 1 : b | ~1 : I(stone) }\nb --> I(stone_stairs)".parse().unwrap();
         let calls = learnt.rules[0].successor.clone();
         let (successor, rules) = renamed(calls, learnt.rules, &mut Taken::by(&grammar));
         assert_eq!(successor.to_string(), "split(x){ 1 : b_2 | ~1 : I(minecraft:stone) }");

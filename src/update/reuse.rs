@@ -8,10 +8,10 @@ use std::collections::BTreeMap;
 pub struct Known(BTreeMap<String, String>);
 
 impl Known {
-    /// Those of some rules, which are without comments.
-    pub fn of(rules: &[Rule]) -> Known {
+    /// Those of some rules, which are without comments, as far as they may be called.
+    pub fn of(rules: &[Rule], may_be_called: impl Fn(&Rule) -> bool) -> Known {
         let mut by_text: BTreeMap<String, Vec<&str>> = BTreeMap::new();
-        for rule in rules.iter().filter(|rule| is_plain(rule, rules)) {
+        for rule in rules.iter().filter(|rule| is_plain(rule, rules) && may_be_called(rule)) {
             by_text.entry(rule.successor.to_string()).or_default().push(&rule.label.name);
         }
         let only = by_text.into_iter().filter_map(|(text, labels)| match labels.as_slice() {
@@ -25,16 +25,19 @@ impl Known {
 fn is_plain(rule: &Rule, rules: &[Rule]) -> bool {
     let is_alone = rules.iter().filter(|other| other.label == rule.label).count() == 1;
     let is_short = matches!(rule.successor.op, Op::Nil | Op::Call { .. });
-    is_alone && !is_short && rule.params.is_empty() && rule.condition.is_none() && rule.priority == Rule::FIRST
+    is_alone
+        && !is_short
+        && rule.params.is_empty()
+        && rule.condition.is_none()
+        && rule.priority == Rule::FIRST
 }
 
-/// An operation and the rules that it calls, each after those that call it, with calls of what is known.
+/// An operation and the rules that it calls, with calls of what is known instead of what is the same.
 pub fn reused(mut successor: Successor, rules: Vec<Rule>, known: &Known) -> (Successor, Vec<Rule>) {
-    let mut known = known.clone();
     let mut same: BTreeMap<String, String> = BTreeMap::new();
     let mut kept = Vec::new();
     for mut rule in rules.into_iter().rev() {
-        call_known(&mut rule.successor, &known, &same);
+        call_known(&mut rule.successor, known, &same);
         match (&rule.successor.op, known.0.get(&rule.successor.to_string())) {
             (Op::Call { label, args }, _) if args.is_empty() => {
                 same.insert(rule.label.name, label.name.clone());
@@ -46,9 +49,9 @@ pub fn reused(mut successor: Successor, rules: Vec<Rule>, known: &Known) -> (Suc
         }
     }
     kept.reverse();
-    // The whole of it may well be what some rule does, but that one is not called here.
-    known.0.remove(&successor.to_string());
-    call_known(&mut successor, &known, &same);
+    // One may be called before it is known to be none of its own.
+    kept.iter_mut().for_each(|rule| call_known(&mut rule.successor, known, &same));
+    call_known(&mut successor, known, &same);
     (successor, kept)
 }
 
@@ -85,8 +88,13 @@ mod tests {
             .parse()
             .unwrap();
         let [a, b] = [0, 1].map(|at: usize| learnt.rules[at].clone());
-        let (successor, rules) = reused(a.successor, vec![b], &Known::of(&grammar.rules));
+        let known = Known::of(&grammar.rules, |_| true);
+        let (successor, rules) = reused(a.successor.clone(), vec![b.clone()], &known);
         assert_eq!(successor.to_string(), "split(x){ 1 : nil | 1 : window | 1 : I(stone) }");
         assert_eq!(rules, []);
+        let known = Known::of(&grammar.rules, |rule| rule.label.name != "window");
+        let (successor, rules) = reused(a.successor.clone(), vec![b], &known);
+        assert_eq!(successor, a.successor);
+        assert_eq!(rules[0].to_string(), "b --> split(y){ 1 : planks | ~1 : I(glass) }");
     }
 }

@@ -4,11 +4,11 @@ use super::change::Change;
 use super::demand::{Demands, Site};
 use super::layout::end_of_item;
 use super::texts::{Edit, Program, Texts};
+use super::trial::failures;
 use crate::grammar::Span;
 use crate::grammar::ast::StartSize;
 use crate::parse::{Laws, Parser};
 use crate::run::Library;
-use crate::score::Samples;
 use crate::space::Cell;
 
 /// How a grammar comes to say one more size.
@@ -21,12 +21,7 @@ pub enum Manner {
 }
 
 /// The texts with which a run may start at a size, if the grammar says other sizes.
-pub fn started(
-    texts: &Texts,
-    size: Cell,
-    manner: Manner,
-    library: &Library,
-) -> Option<(Texts, Vec<Change>)> {
+pub fn started(texts: &Texts, size: Cell, manner: Manner, library: &Library) -> Option<(Texts, Vec<Change>)> {
     let program = texts.read()?;
     if Parser::new(&program.graph, Laws::AsWritten).starts(size) {
         return Some((texts.clone(), Vec::new()));
@@ -35,21 +30,13 @@ pub fn started(
         (Manner::Widened, [only]) => widened(texts, &program, only, size),
         _ => None,
     };
-    let failed = |program: &Program| Samples::draw(&program.graph, library, 0, SAMPLES).failed;
+    let failed = failures(&program, size, library);
     let is_good =
-        |texts: &Texts| texts.read().is_some_and(|widened| failed(&widened) <= failed(&program));
+        |texts: &Texts| texts.read().is_some_and(|widened| failures(&widened, size, library) <= failed);
     widened.filter(|(texts, _)| is_good(texts)).or_else(|| apart(texts, &program, size))
 }
 
-/// So many runs are tried.
-const SAMPLES: usize = 24;
-
-fn widened(
-    texts: &Texts,
-    program: &Program,
-    start: &StartSize,
-    size: Cell,
-) -> Option<(Texts, Vec<Change>)> {
+fn widened(texts: &Texts, program: &Program, start: &StartSize, size: Cell) -> Option<(Texts, Vec<Change>)> {
     let mut demands = Demands::new(program);
     for (length, wanted) in start.size.iter().zip(size.to_array()) {
         demands.ask(length, f64::from(wanted), "the size", &Site::default())?;

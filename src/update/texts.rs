@@ -55,7 +55,8 @@ impl Texts {
 
     /// What the texts say; `None` where that is no grammar.
     pub fn read(&self) -> Option<Program> {
-        let mut fetch = |name: &str| self.files.get(name).cloned().ok_or_else(|| "it was not read".to_owned());
+        let mut fetch =
+            |name: &str| self.files.get(name).cloned().ok_or_else(|| "it was not read".to_owned());
         let loaded = load(&self.root, self.get(&self.root), &mut fetch);
         let checked = loaded.checked.ok()?;
         let graph = lower(&checked, None).ok()?;
