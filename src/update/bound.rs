@@ -1,7 +1,7 @@
 //! Rules that cannot fill a size are kept from it.
 
 use super::change::Change;
-use super::condition::is;
+use super::condition::{holds, is};
 use super::texts::{Edit, Program, Texts};
 use super::trial::always_fails;
 use crate::grammar::Span;
@@ -21,8 +21,15 @@ pub fn bound(
         return None;
     }
     let label = program.checked.first_label();
-    let rules = program.checked.rules_of(label);
+    let applies = |rule: &&Rule| {
+        let condition = rule.condition.as_ref();
+        condition.and_then(|condition| holds(condition, size.to_array())) != Some(false)
+    };
+    let rules = program.checked.rules_of(label).filter(applies);
     let edits: Vec<Edit> = rules.map(|rule| other_sizes(program, rule, size)).collect();
+    if edits.is_empty() {
+        return None;
+    }
     let change = Change::Bound { label: label.to_owned(), size: size.to_array() };
     Some((texts.edited(&edits), vec![change]))
 }
