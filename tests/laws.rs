@@ -24,6 +24,8 @@ mod seeds;
 mod syntax;
 #[path = "laws/tiling.rs"]
 mod tiling;
+#[path = "laws/update.rs"]
+mod update;
 
 use vox::grammar::ast::Grammar;
 use vox::grammar::{self, Diagnostic, check};

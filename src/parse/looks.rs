@@ -193,8 +193,10 @@ impl Search<'_, '_> {
                 Look::Painted(painted) => self.compared(blocks, painted, scope),
                 look => self.likeness(blocks, look, scope),
             };
-            let found =
-                own.map(|own| Found { cost: own.plus(*cost), choice: Choice::Only, pieces: Box::new([]) });
+            let found = own.map(|own| {
+                let choice = if own.lost > 0 { Choice::Other(own.lost) } else { Choice::Only };
+                Found { cost: own.plus(*cost), choice, pieces: Box::new([]) }
+            });
             keep(&mut best, found);
         }
         best
