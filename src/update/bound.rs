@@ -6,18 +6,20 @@ use super::texts::{Edit, Program, Texts};
 use super::trial::always_fails;
 use crate::grammar::Span;
 use crate::grammar::ast::Rule;
+use crate::parse::{Laws, Parser};
 use crate::run::Library;
 use crate::space::{Axis, Cell};
 
-/// Keeps the rules that a grammar starts with from a size at which every run fails: a further alternative for that size
-/// would else stand beside some that end in an error.
+/// Keeps the rules that a grammar starts with from a size that it does not say and at which every run fails: a further
+/// alternative for that size would else stand beside some that end in an error.
 pub fn bound(
     texts: &Texts,
     program: &Program,
     size: Cell,
     library: &Library,
 ) -> Option<(Texts, Vec<Change>)> {
-    if !always_fails(program, size, library) {
+    let is_said = Parser::new(&program.graph, Laws::AsWritten).starts(size);
+    if is_said || !always_fails(program, size, library) {
         return None;
     }
     let label = program.checked.first_label();

@@ -5,6 +5,8 @@ use std::fmt::{self, Display, Formatter};
 pub enum Change {
     /// A number that may come out otherwise as well: that of a part, an argument, a constant or the start scope.
     Widened { what: String, from: String, to: String },
+    /// The version of the game that the grammar is for.
+    Raised { from: i32, to: i32 },
     /// A line that states a size.
     Sized([i32; 3]),
     /// A further alternative of a label, and the rules that were written for it.
@@ -17,6 +19,7 @@ impl Display for Change {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Change::Widened { what, from, to } => write!(f, "widened {what}: {from} to {to}"),
+            Change::Raised { from, to } => write!(f, "raised the `data_version`: {from} to {to}"),
             Change::Sized([x, y, z]) => write!(f, "added the size {x} x {y} x {z}"),
             Change::Alternative { label, rules } => {
                 write!(f, "added an alternative to `{label}`{}", Rules(rules))

@@ -52,11 +52,11 @@ impl<'p> Demands<'p> {
             }
             ExprKind::Same(_, inner) => self.ask(inner, value, what, site),
             ExprKind::Binary(op, left, right) => {
-                match (self.certain(left, site), self.certain(right, site)) {
-                    (_, Some(right)) => self.ask(left, undone_left(*op, value, right)?, what, site),
-                    (Some(left), _) => self.ask(right, undone_right(*op, value, left)?, what, site),
-                    _ => None,
-                }
+                let wanted = self.certain(right, site).and_then(|right| undone_left(*op, value, right));
+                wanted.and_then(|wanted| self.ask(left, wanted, what, site)).or_else(|| {
+                    let wanted = undone_right(*op, value, self.certain(left, site)?)?;
+                    self.ask(right, wanted, what, site)
+                })
             }
             ExprKind::Name(name) => match self.named(name, site) {
                 Name::Param(at) => {
@@ -85,7 +85,7 @@ impl<'p> Demands<'p> {
     }
 
     fn note(&mut self, expr: &'p Expr, value: f64, what: &str) -> Option<()> {
-        let whole = (value.fract().abs() < 1e-6 && value >= 0.0 && value <= 1e6).then_some(value as i32)?;
+        let whole = (value.fract().abs() < 1e-6 && (0.0..=1e6).contains(&value)).then_some(value as i32)?;
         if !covers(expr, f64::from(whole))? {
             let key = (expr.span.start, expr.span.end);
             let wish = Wish::Values(BTreeSet::new());

@@ -19,6 +19,7 @@ mod reuse;
 mod start;
 mod texts;
 mod trial;
+mod version;
 mod weight;
 
 use crate::grid::Grid;
@@ -28,6 +29,7 @@ use crate::run::Library;
 use crate::space::{Axis, Cell, Frame, Scope, Turn};
 use start::{Manner, started};
 use trial::failures;
+use version::raised;
 
 pub use change::Change;
 pub use texts::{Edit, Program, Texts};
@@ -106,12 +108,16 @@ impl Task<'_> {
         manner: Manner,
     ) -> Option<Updated> {
         let size = self.size(before);
-        let (texts, sized) = started(texts, size, manner, self.library)?;
+        let (mut texts, sized) = started(texts, size, manner, self.library)?;
         changes.extend(sized);
         if changes.is_empty() {
             return Some(Updated { texts, changes, failures: 0 });
         }
         let program = texts.read()?;
+        if let Some((raised, change)) = raised(&texts, &program, self.house) {
+            texts = raised;
+            changes.push(change);
+        }
         let [now, before] = [&program, before].map(|program| failures(program, size, self.library));
         let updated = Updated { texts, changes, failures: now.saturating_sub(before) };
         self.is_derived(&program).then_some(updated)
