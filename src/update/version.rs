@@ -52,7 +52,7 @@ mod tests {
         };
         assert!(raised_by("stone").is_none());
         let (raised, change) = raised_by("pale_oak_planks").unwrap();
-        assert_eq!(change.to_string(), "raised the `data_version`: 3465 to 4189");
-        assert_eq!(raised.get("a.grammar"), text.replace("\ndata_version 3465", "\ndata_version 4189"));
+        assert_eq!(change.to_string(), "raised the `data_version`: 3465 to 4080");
+        assert_eq!(raised.get("a.grammar"), text.replace("\ndata_version 3465", "\ndata_version 4080"));
     }
 }
