@@ -70,7 +70,10 @@ impl Texts {
         order.sort_by_key(|edit| edit.span.start);
         for edit in order.into_iter().rev() {
             if let Some(text) = texts.files.get_mut(&edit.file) {
-                text.replace_range(edit.span.range(), &edit.text);
+                // Lines end as they do in the rest of the file.
+                let new =
+                    if text.contains("\r\n") { edit.text.replace('\n', "\r\n") } else { edit.text.clone() };
+                text.replace_range(edit.span.range(), &new);
             }
         }
         texts

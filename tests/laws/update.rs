@@ -123,3 +123,11 @@ fn a_new_alternative_hides_none_of_a_later_priority() {
     let (new, _) = after(text, "a --> I(glass)", [2, 1, 1]);
     assert_eq!(new, format!("{text}\na : scope.sx == 2 and scope.sy == 1 and scope.sz == 1 --> I(glass)"));
 }
+
+#[test]
+fn lines_end_as_they_do_in_the_file() {
+    let text = "a --> I(stone) # first\r\n\r\n# last\r\n";
+    let (new, _) = after(text, "a --> I(glass)", [2, 1, 1]);
+    let added = "a : scope.sx == 2 and scope.sy == 1 and scope.sz == 1 --> I(glass)\r\n";
+    assert_eq!(new, text.replacen("first\r\n", &format!("first\r\n{added}"), 1));
+}
