@@ -2,18 +2,23 @@
 
 use super::corpus::{Class, Corpus};
 use crate::space::Axis;
-use std::collections::BTreeMap;
+use smallvec::SmallVec;
 use std::rc::Rc;
 
 /// Classes with how often each occurs, in order of their numbers.
-#[derive(Clone, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Boxes(Rc<[(Class, u32)]>);
 
 impl Boxes {
     pub fn of(boxes: impl IntoIterator<Item = (Class, u32)>) -> Boxes {
-        let mut counts: BTreeMap<Class, u32> = BTreeMap::new();
-        boxes.into_iter().for_each(|(class, count)| *counts.entry(class).or_insert(0) += count);
-        Boxes(counts.into_iter().collect())
+        let mut all: SmallVec<[(Class, u32); 32]> = boxes.into_iter().collect();
+        all.sort_unstable_by_key(|(class, _)| *class);
+        all.dedup_by(|(class, count), (known, sum)| {
+            let is_known = class == known;
+            *sum += if is_known { *count } else { 0 };
+            is_known
+        });
+        Boxes(Rc::from(all.as_slice()))
     }
 
     pub fn classes(&self) -> impl Iterator<Item = Class> + Clone + '_ {

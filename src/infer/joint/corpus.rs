@@ -1,5 +1,6 @@
 //! The boxes of all examples, those of equal content known by one number.
 
+use super::fold::{Token, folded};
 use super::seams::Seams;
 use super::volume::Volume;
 use crate::grid::Content;
@@ -7,6 +8,7 @@ use crate::space::{Axis, Bounds, Cell};
 use rustc_hash::{FxHashMap, FxHasher};
 use smallvec::SmallVec;
 use std::hash::Hasher;
+use std::rc::Rc;
 
 /// A box in an example.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -23,6 +25,14 @@ pub struct Class(pub u32);
 /// axes: a shape without its sizes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Skeleton(pub u32);
+
+/// Slices that follow one another, their longest repeat written once: equal ones have one number.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Sequence {
+    pub number: u32,
+    /// So many tokens write it down.
+    pub pieces: u32,
+}
 
 /// What is known of a class.
 #[derive(Clone, Debug)]
@@ -56,11 +66,20 @@ pub struct Corpus {
     classes: FxHashMap<Content, Class>,
     profiles: Vec<Profile>,
     skeletons: FxHashMap<u64, Skeleton>,
+    /// The classes of parts, by axis and by where they start and end.
+    parts: FxHashMap<(Class, Axis, i32, i32), Class>,
     /// By class and axis: the skeletons of the slices that differ from the one before.
-    slices: FxHashMap<(Class, Axis), std::rc::Rc<[Skeleton]>>,
+    slices: FxHashMap<(Class, Axis), Rc<[Skeleton]>>,
+    /// The classes of all slices.
+    rows: FxHashMap<(Class, Axis), Rc<[Class]>>,
+    /// The numbers of sequences of slices, and those of classes by axis.
+    folded: FxHashMap<Vec<Token>, u32>,
+    sequences: FxHashMap<(Class, Axis), Sequence>,
+    /// By class: the terminals that there are, in order of their numbers.
+    terminals: FxHashMap<Class, Rc<[u32]>>,
     seams: Seams,
     fits: FxHashMap<(Class, Class, Axis), bool>,
-    /// How often it was asked for the class of a box: a measure of the work done.
+    /// How often it was asked for the part of a box: a measure of the work done.
     pub asked: u64,
 }
 
@@ -74,7 +93,12 @@ impl Corpus {
             classes: FxHashMap::default(),
             profiles: Vec::new(),
             skeletons: FxHashMap::default(),
+            parts: FxHashMap::default(),
             slices: FxHashMap::default(),
+            rows: FxHashMap::default(),
+            folded: FxHashMap::default(),
+            sequences: FxHashMap::default(),
+            terminals: FxHashMap::default(),
         }
     }
 
@@ -99,7 +123,6 @@ impl Corpus {
     }
 
     pub fn class(&mut self, place: Place) -> Class {
-        self.asked += 1;
         let key = self.volume(place).content(place.bounds);
         if let Some(&known) = self.classes.get(&key) {
             return known;
@@ -114,9 +137,15 @@ impl Corpus {
 
     /// The class of the part of a class from `low` to `high` on an axis, from its low end.
     pub fn part(&mut self, class: Class, axis: Axis, low: i32, high: i32) -> Class {
+        self.asked += 1;
+        if let Some(&known) = self.parts.get(&(class, axis, low, high)) {
+            return known;
+        }
         let place = self.profile(class).place;
         let start = axis.of(place.bounds.min);
-        self.class(Place { bounds: place.bounds.slab(axis, start + low, start + high), ..place })
+        let part = self.class(Place { bounds: place.bounds.slab(axis, start + low, start + high), ..place });
+        self.parts.insert((class, axis, low, high), part);
+        part
     }
 
     /// Whether a plane goes through a whole of two blocks.
@@ -128,23 +157,32 @@ impl Corpus {
     /// Whether two boxes could stand one behind the other: where they meet they show nothing that no example
     /// shows. `None` if they differ in size across the axis.
     pub fn fit(&mut self, left: Class, right: Class, axis: Axis) -> Option<bool> {
-        let len = self.profile(left).len(axis);
-        let last = self.part(left, axis, len - 1, len);
-        let first = self.part(right, axis, 0, 1);
+        let [last, first] = self.ends(left, right, axis);
+        if let Some(&known) = self.fits.get(&(last, first, axis)) {
+            return Some(known);
+        }
         let [one, other] = [last, first].map(|class| self.profile(class).place);
         if one.bounds.size() != other.bounds.size() {
             return None;
-        }
-        if let Some(&known) = self.fits.get(&(last, first, axis)) {
-            return Some(known);
         }
         let fits = self.seams.fit((self.volume(one), one.bounds), (self.volume(other), other.bounds), axis);
         self.fits.insert((last, first, axis), fits);
         Some(fits)
     }
 
+    /// The last slice of the left box and the first of the right one.
+    pub fn ends(&mut self, left: Class, right: Class, axis: Axis) -> [Class; 2] {
+        let len = self.profile(left).len(axis);
+        [self.part(left, axis, len - 1, len), self.part(right, axis, 0, 1)]
+    }
+
+    /// Boxes that end in `last` never stand before boxes that begin with `first` any more; whether that is new.
+    pub fn tear(&mut self, last: Class, first: Class, axis: Axis) -> bool {
+        self.fits.insert((last, first, axis), false) != Some(false)
+    }
+
     /// The skeletons of the slices across an axis, those left out that equal the one before.
-    pub fn slices(&mut self, class: Class, axis: Axis) -> std::rc::Rc<[Skeleton]> {
+    pub fn slices(&mut self, class: Class, axis: Axis) -> Rc<[Skeleton]> {
         if let Some(known) = self.slices.get(&(class, axis)) {
             return known.clone();
         }
@@ -153,9 +191,60 @@ impl Corpus {
             let class = corpus.part(class, axis, *at, *at + 1);
             corpus.profile(class).skeleton
         };
-        let slices: std::rc::Rc<[Skeleton]> = starts.iter().map(|at| slice(self, at)).collect();
+        let slices: Rc<[Skeleton]> = starts.iter().map(|at| slice(self, at)).collect();
         self.slices.insert((class, axis), slices.clone());
         slices
+    }
+
+    /// The slices that differ from the one before, as one number.
+    pub fn sequence(&mut self, class: Class, axis: Axis) -> Sequence {
+        if let Some(known) = self.sequences.get(&(class, axis)) {
+            return *known;
+        }
+        let folded = folded(&self.slices(class, axis));
+        let pieces = folded.len() as u32;
+        let next = self.folded.len() as u32;
+        let sequence = Sequence { number: *self.folded.entry(folded).or_insert(next), pieces };
+        self.sequences.insert((class, axis), sequence);
+        sequence
+    }
+
+    /// The classes of all slices across an axis.
+    pub fn row(&mut self, class: Class, axis: Axis) -> Rc<[Class]> {
+        if let Some(known) = self.rows.get(&(class, axis)) {
+            return known.clone();
+        }
+        let len = self.profile(class).len(axis);
+        let starts = self.profile(class).starts[axis.index()].clone();
+        let mut row = Vec::with_capacity(len as usize);
+        for (number, at) in starts.iter().enumerate() {
+            let slice = self.part(class, axis, *at, at + 1);
+            let end = starts.get(number + 1).copied().unwrap_or(len);
+            row.extend((*at..end).map(|_| slice));
+        }
+        let row: Rc<[Class]> = row.into();
+        self.rows.insert((class, axis), row.clone());
+        row
+    }
+
+    /// The terminals in a class, in order of their numbers.
+    pub fn terminals(&mut self, class: Class) -> Rc<[u32]> {
+        if let Some(known) = self.terminals.get(&class) {
+            return known.clone();
+        }
+        let Profile { place, starts, .. } = self.profile(class);
+        let volume = self.volume(*place);
+        let mut all = Vec::new();
+        for &y in &starts[1] {
+            for &z in &starts[2] {
+                all.extend(starts[0].iter().map(|&x| volume.get(place.bounds.min + Cell::new(x, y, z))));
+            }
+        }
+        all.sort_unstable();
+        all.dedup();
+        let all: Rc<[u32]> = all.into();
+        self.terminals.insert(class, all.clone());
+        all
     }
 
     fn starts(&self, place: Place, axis: Axis) -> SmallVec<[i32; 8]> {

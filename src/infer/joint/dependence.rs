@@ -47,6 +47,30 @@ fn distinct(rows: &[Row], part: usize) -> Vec<Class> {
     side
 }
 
+/// The bits of drawing freely where a plane stands, if that goes together with what is before or behind it: as it does
+/// where one of two wings of other widths stands at the end.
+pub fn placed(corpus: &mut Corpus, rows: &[Row], axis: Axis) -> f64 {
+    let counts: Vec<u32> = rows.iter().map(|(_, count)| *count).collect();
+    let of_side = |corpus: &mut Corpus, side: usize| {
+        let lens: Vec<i32> = rows.iter().map(|(parts, _)| corpus.profile(parts[side]).len(axis)).collect();
+        let labels: Vec<u64> = rows.iter().map(|(parts, _)| materials(corpus, parts[side])).collect();
+        by_threshold(&lens, &labels, &counts)
+    };
+    of_side(corpus, 0) + of_side(corpus, 1)
+}
+
+/// The bits for numbers and labels, the numbers told apart by the threshold that tells most of the labels.
+fn by_threshold(numbers: &[i32], labels: &[u64], counts: &[u32]) -> f64 {
+    let mut thresholds = numbers.to_vec();
+    thresholds.sort_unstable();
+    thresholds.dedup();
+    let tries = (thresholds.len() as f64).ln();
+    let above =
+        |threshold: &i32| -> Vec<u64> { numbers.iter().map(|own| u64::from(own >= threshold)).collect() };
+    let told = thresholds.iter().skip(1).map(|threshold| shared(&above(threshold), labels, counts, tries));
+    told.fold(0.0, f64::max)
+}
+
 /// The bits that parts tell of one another.
 fn told(corpus: &mut Corpus, rows: &[Row]) -> f64 {
     let parts = rows.first().map_or(0, |(parts, _)| parts.len());
@@ -56,7 +80,7 @@ fn told(corpus: &mut Corpus, rows: &[Row]) -> f64 {
     let mut bits = 0.0;
     for one in 0..parts {
         for other in one + 1..parts {
-            let by = |labels: &[Vec<u64>]| shared(&labels[one], &labels[other], &counts);
+            let by = |labels: &[Vec<u64>]| shared(&labels[one], &labels[other], &counts, 0.0);
             bits += by(&shapes).max(by(&materials));
         }
     }
@@ -69,8 +93,9 @@ fn columns(rows: &[Row], parts: usize, mut label: impl FnMut(Class) -> u64) -> V
     (0..parts).map(|part| rows.iter().map(|(parts, _)| label(parts[part])).collect()).collect()
 }
 
-/// The bits for one pair of labels: none if they are independent as far as so few boxes tell.
-fn shared(one: &[u64], other: &[u64], counts: &[u32]) -> f64 {
+/// The bits for one pair of labels: none if they are independent as far as so few boxes tell. `tries` are the nats of
+/// saying which of several pairs it is.
+fn shared(one: &[u64], other: &[u64], counts: &[u32], tries: f64) -> f64 {
     let (mut ones, mut others, mut both) = (Counts::default(), Counts::default(), Counts::default());
     for ((a, b), count) in one.iter().zip(other).zip(counts) {
         ones.add((*a, 0), *count);
@@ -85,7 +110,8 @@ fn shared(one: &[u64], other: &[u64], counts: &[u32]) -> f64 {
     let mutual = ones.entropy() + others.entropy() - both.entropy();
     let is_one_to_one = a == b && a == joint && (2.0 * a <= f64::from(total) || total <= FEW);
     // The Bayesian information criterion, in nats.
-    let is_told = mutual * std::f64::consts::LN_2 > (a - 1.0) * (b - 1.0) / 2.0 * f64::from(total).ln();
+    let is_told =
+        mutual * std::f64::consts::LN_2 > (a - 1.0) * (b - 1.0) / 2.0 * f64::from(total).ln() + tries;
     if is_one_to_one || is_told { PENALTY + mutual } else { 0.0 }
 }
 
@@ -113,15 +139,48 @@ pub fn halves(corpus: &mut Corpus, boxes: &Boxes, axis: Axis, at: &[i32]) -> Vec
     rows.collect()
 }
 
-/// Units that stand side by side in a repeat.
-pub fn neighbours(corpus: &mut Corpus, boxes: &Boxes, period: Period) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for (class, count) in boxes.iter() {
-        let starts: Vec<i32> = period.starts(corpus.profile(class).len(period.axis)).collect();
-        for pair in starts.windows(2) {
-            let unit = |at: i32| corpus.part(class, period.axis, at, at + period.unit);
-            rows.push((pair.iter().copied().map(unit).collect(), count));
-        }
+/// The bits that it costs to draw the units of repeats apart: from their neighbours, and from whether they are the
+/// first or the last one.
+pub fn of_units(corpus: &mut Corpus, repeats: &[Row], axis: Axis) -> f64 {
+    let pair =
+        |(units, count): &Row| units.windows(2).map(|pair| (pair.to_vec(), *count)).collect::<Vec<Row>>();
+    let pairs: Vec<Row> = repeats.iter().flat_map(pair).collect();
+    let ends = [false, true].map(|is_last| at_end(corpus, repeats, is_last));
+    dependence(corpus, &pairs, axis) + ends[0] + ends[1]
+}
+
+/// The bits that units tell of whether they stand at an end.
+fn at_end(corpus: &mut Corpus, repeats: &[Row], is_last: bool) -> f64 {
+    let mut units: Vec<(Class, bool, u32)> = Vec::new();
+    for (row, count) in repeats {
+        let end = if is_last { row.len() - 1 } else { 0 };
+        units.extend(row.iter().enumerate().map(|(number, unit)| (*unit, number == end, *count)));
     }
-    rows
+    let shapes = ends_told(&units, |class| u64::from(corpus.profile(class).skeleton.0));
+    shapes.max(ends_told(&units, |class| materials(corpus, class)))
+}
+
+/// The bits that labels of units tell of their ends: none unless each label comes at the end alone or never, and
+/// labels come more than once on average.
+fn ends_told(units: &[(Class, bool, u32)], mut label: impl FnMut(Class) -> u64) -> f64 {
+    let (mut ends, mut labels, mut both) = (Counts::default(), Counts::default(), Counts::default());
+    for (class, is_end, count) in units {
+        let (end, label) = (u64::from(*is_end), label(*class));
+        ends.add((end, 0), *count);
+        labels.add((label, 0), *count);
+        both.add((label, end), *count);
+    }
+    let total: u32 = units.iter().map(|(.., count)| count).sum();
+    let is_told = ends.0.len() == 2 && labels.0.len() == both.0.len() && 2 * both.0.len() <= total as usize;
+    if is_told { PENALTY + ends.entropy() } else { 0.0 }
+}
+
+/// The units of repeats, one row a box.
+pub fn units(corpus: &mut Corpus, boxes: &Boxes, period: Period) -> Vec<Row> {
+    let row = |(class, count): (Class, u32)| {
+        let starts: Vec<i32> = period.starts(corpus.profile(class).len(period.axis)).collect();
+        let unit = |at: &i32| corpus.part(class, period.axis, *at, at + period.unit);
+        (starts.iter().map(unit).collect(), count)
+    };
+    boxes.iter().map(row).collect()
 }

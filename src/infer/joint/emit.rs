@@ -1,10 +1,11 @@
 //! From a plan to an op graph.
 
 use super::boxes::Boxes;
-use super::corpus::{Class, Corpus};
+use super::corpus::Corpus;
 use super::feasible::{Feasible, Lengths, feasible};
 use super::laws::Law;
-use super::plan::{Form, How, NodeId, Plan, occurrences};
+use super::limits::Limits;
+use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
 use super::repeats::gcd;
 use crate::grammar::ast::BinaryOp;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize};
@@ -19,6 +20,15 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Emitted {
     pub learnt: Learnt,
     pub nodes: BTreeMap<NodeIndex, Vec<NodeId>>,
+    pub root: NodeId,
+    boxes: FxHashMap<NodeId, Boxes>,
+}
+
+impl Emitted {
+    /// The boxes that a node which the root reaches stands for.
+    pub fn boxes(&self, id: NodeId) -> &Boxes {
+        &self.boxes[&id]
+    }
 }
 
 /// The op graph of what `root` reaches.
@@ -29,6 +39,7 @@ pub fn emit(
     boxes: &Boxes,
     terminals: &Terminals,
     examples: &[Example],
+    limits: &Limits,
 ) -> Emitted {
     let all = occurrences(plan, corpus, root, boxes);
     let feasible = feasible(plan, root);
@@ -36,6 +47,7 @@ pub fn emit(
         plan,
         corpus,
         terminals,
+        limits,
         feasible,
         builder: Builder::default(),
         nodes: FxHashMap::default(),
@@ -53,12 +65,13 @@ pub fn emit(
     let (mut graph, kept) = emitter.builder.finish(node);
     graph.sizes = match &plan.node(root).form {
         Form::Choose(_) => sizes(examples),
-        _ => between(examples),
+        _ => between(emitter.corpus, boxes, limits),
     };
     graph.data_version = data_version(examples);
     naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
     let nodes = made.into_iter().filter_map(|(node, ids)| Some((*kept.get(&node)?, ids))).collect();
-    Emitted { learnt: Learnt { graph, labels: Labels::new(), by: Method::Joint }, nodes }
+    let learnt = Learnt { graph, labels: Labels::new(), by: Method::Joint };
+    Emitted { learnt, nodes, root, boxes: all.into_iter().collect() }
 }
 
 struct Emitter<'p> {
@@ -66,6 +79,7 @@ struct Emitter<'p> {
     corpus: &'p Corpus,
     feasible: Feasible,
     terminals: &'p Terminals,
+    limits: &'p Limits,
     builder: Builder,
     nodes: FxHashMap<NodeId, NodeIndex>,
 }
@@ -82,40 +96,42 @@ impl Emitter<'_> {
                     Op::Repeat { axis: Expr::Axis(*axis), size: Expr::number(f64::from(*unit)), snap: None };
                 self.builder.node(op, vec![(Arg::None, self.nodes[child])])
             }
-            Form::Choose(children) => self.choose(id, children, boxes),
+            Form::Choose(_) => {
+                let alternatives = alternatives(self.plan, id, boxes).unwrap_or_default();
+                self.choose(&alternatives, boxes)
+            }
         }
     }
 
     /// A choice by how often each alternative was seen. One that cannot fill every box has a condition.
-    fn choose(&mut self, id: NodeId, children: &[NodeId], boxes: &Boxes) -> NodeIndex {
-        let how = &self.plan.node(id).how;
-        let mut groups: Vec<Vec<(Class, u32)>> = vec![Vec::new(); children.len()];
-        for (class, count) in boxes.iter() {
-            if let Some(How::Choose(number)) = how.get(&class) {
-                groups[*number].push((class, count));
-            }
-        }
-        let seen: Vec<(&NodeId, &Vec<(Class, u32)>)> =
-            children.iter().zip(&groups).filter(|(_, group)| !group.is_empty()).collect();
-        if let [(only, _)] = seen.as_slice() {
+    fn choose(&mut self, alternatives: &[(NodeId, Boxes)], boxes: &Boxes) -> NodeIndex {
+        if let [(only, _)] = alternatives {
             return self.nodes[only];
         }
-        let alternative = |(child, group): (&NodeId, &Vec<(Class, u32)>)| {
-            let condition = self.condition(*child, boxes);
-            let count: u32 = group.iter().map(|(_, count)| count).sum();
-            let weight = Expr::number(f64::from(count));
+        let alternative = |(child, group): &(NodeId, Boxes)| {
+            let condition = self.condition(*child, group, alternatives, boxes);
+            let weight = Expr::number(f64::from(group.count()));
             (Arg::Alternative(Alternative { condition, ..Alternative::plain(weight) }), self.nodes[child])
         };
-        let alternatives = seen.into_iter().map(alternative).collect();
+        let alternatives = alternatives.iter().map(alternative).collect();
         self.builder.node(Op::Choose, alternatives)
     }
 
-    /// What has to hold of a scope that one of `boxes` was seen in, so that a node can fill it.
-    fn condition(&self, node: NodeId, boxes: &Boxes) -> Option<Expr> {
+    /// What has to hold of a scope that one of `boxes` was seen in, so that a node can fill it which was made for
+    /// those of `group`.
+    fn condition(
+        &self,
+        node: NodeId,
+        group: &Boxes,
+        alternatives: &[(NodeId, Boxes)],
+        boxes: &Boxes,
+    ) -> Option<Expr> {
         let axes = Axis::ALL.into_iter().filter_map(|axis| {
             let seen: BTreeSet<i32> =
                 boxes.classes().map(|class| self.corpus.profile(class).len(axis)).collect();
-            bounds(axis, &seen, self.feasible[&node][axis.index()])
+            let feasible = self.feasible[&node][axis.index()];
+            let all = alternatives.iter().map(|(_, boxes)| boxes);
+            bounds(axis, &seen, feasible.and(self.limits.lengths(self.corpus, group, all, axis)))
         });
         axes.reduce(|left, right| binary(BinaryOp::And, left, right))
     }
@@ -208,13 +224,18 @@ fn value(law: &Law) -> Expr {
 }
 
 /// The sizes between those of the examples: each axis by itself.
-fn between(examples: &[Example]) -> Vec<StartSize> {
+fn between(corpus: &Corpus, boxes: &Boxes, limits: &Limits) -> Vec<StartSize> {
     let size = Axis::ALL.map(|axis| {
-        let mut lens: Vec<i32> = examples.iter().map(|example| axis.of(example.bounds().size())).collect();
+        let mut lens: Vec<(i32, u32)> =
+            boxes.iter().map(|(class, count)| (corpus.profile(class).len(axis), count)).collect();
         lens.sort_unstable();
-        let (low, high) = (lens[0], lens[lens.len() - 1]);
-        let step = lens.iter().map(|len| len - low).fold(0, gcd);
-        value(&if step == 0 { Law::Const(low) } else { Law::Range { low, high, step } })
+        let (low, high) = (lens[0].0, lens[lens.len() - 1].0);
+        let step = lens.iter().map(|(len, _)| len - low).fold(0, gcd);
+        value(&match step {
+            0 => Law::Const(low),
+            _ if limits.has(boxes, axis) => Law::table(lens.into_iter()),
+            _ => Law::Range { low, high, step },
+        })
     });
     vec![StartSize { size, weight: Expr::number(1.0) }]
 }

@@ -1,12 +1,11 @@
 //! How long a description of boxes will be, before it is searched for.
 
 use super::boxes::Boxes;
-use super::corpus::{Class, Corpus, Skeleton};
-use super::fold::{Token, folded};
+use super::corpus::{Class, Corpus, Sequence, Skeleton};
 use super::repeats::Period;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
-use std::collections::BTreeMap;
+use smallvec::SmallVec;
 
 /// Bits of a row of cells, and of each of its runs.
 const ROW: f64 = 5.5;
@@ -77,21 +76,36 @@ impl Estimates {
         axis: Axis,
         known: &mut FxHashSet<Skeleton>,
     ) -> f64 {
-        let mut sequences: BTreeMap<Vec<Token>, u32> = BTreeMap::new();
+        let mut sequences: SmallVec<[(Sequence, u32, Class); 32]> =
+            boxes.iter().map(|(class, count)| (corpus.sequence(class, axis), count, class)).collect();
+        sequences.sort_unstable_by_key(|(sequence, ..)| *sequence);
         let mut bits = 0.0;
-        for (class, count) in boxes.iter() {
-            let slices = corpus.slices(class, axis);
-            for (number, slice) in slices.iter().enumerate() {
-                if known.insert(*slice) {
-                    let at = corpus.profile(class).starts(axis)[number];
-                    let class = corpus.part(class, axis, at, at + 1);
-                    bits += self.skeleton(corpus, class);
-                }
-            }
-            *sequences.entry(folded(&slices)).or_insert(0) += count;
+        let mut counts: SmallVec<[u32; 16]> = SmallVec::new();
+        for equal in sequences.chunk_by(|(one, ..), (other, ..)| one == other) {
+            let (sequence, _, class) = equal[0];
+            bits += self.unknown_slices(corpus, class, axis, known) + RUN * f64::from(sequence.pieces);
+            counts.push(equal.iter().map(|(_, count, _)| count).sum());
         }
-        let lengths: usize = sequences.keys().map(Vec::len).sum();
-        bits + RUN * lengths as f64 + ALTERNATIVE * (sequences.len() - 1) as f64 + choice(sequences.values())
+        bits + ALTERNATIVE * (counts.len() - 1) as f64 + choice(counts.iter())
+    }
+
+    /// The bits of the slices of a class that are not known, which they are from now on.
+    fn unknown_slices(
+        &mut self,
+        corpus: &mut Corpus,
+        class: Class,
+        axis: Axis,
+        known: &mut FxHashSet<Skeleton>,
+    ) -> f64 {
+        let mut bits = 0.0;
+        for (number, slice) in corpus.slices(class, axis).iter().enumerate() {
+            if known.insert(*slice) {
+                let at = corpus.profile(class).starts(axis)[number];
+                let class = corpus.part(class, axis, at, at + 1);
+                bits += self.skeleton(corpus, class);
+            }
+        }
+        bits
     }
 
     /// The bits of one shape without its sizes.
@@ -104,7 +118,7 @@ impl Estimates {
         let long: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| profile.starts(*axis).len() > 1).collect();
         let bits = match long.as_slice() {
             [] => ROW + RUN,
-            [axis] => ROW + RUN * folded(&corpus.slices(class, *axis)).len() as f64,
+            [axis] => ROW + RUN * f64::from(corpus.sequence(class, *axis).pieces),
             _ => {
                 let across = |axis: &Axis| {
                     self.across(corpus, &Boxes::of([(class, 1)]), *axis, &mut FxHashSet::default())
@@ -129,27 +143,34 @@ fn free(corpus: &Corpus, boxes: &Boxes) -> f64 {
 }
 
 fn free_across(corpus: &Corpus, boxes: &Boxes, axis: Axis) -> f64 {
-    let mut groups: BTreeMap<usize, Vec<(Class, u32)>> = BTreeMap::new();
-    for (class, count) in boxes.iter() {
-        groups.entry(corpus.profile(class).starts(axis).len()).or_default().push((class, count));
+    let starts = |class: Class| corpus.profile(class).starts(axis).len();
+    let mut boxes: SmallVec<[(usize, Class, u32); 32]> =
+        boxes.iter().map(|(class, count)| (starts(class), class, count)).collect();
+    boxes.sort_unstable();
+    let groups = boxes.chunk_by(|(one, ..), (other, ..)| one == other);
+    groups.map(|group| (1..group[0].0).map(|plane| free_plane(corpus, group, axis, plane)).sum::<f64>()).sum()
+}
+
+/// The bits of the plane of that number in boxes with as many planes each.
+fn free_plane(corpus: &Corpus, group: &[(usize, Class, u32)], axis: Axis, plane: usize) -> f64 {
+    let distances = |of: fn(i32, i32) -> i32| {
+        let distance = |(_, class, _): &(usize, Class, u32)| {
+            let profile = corpus.profile(*class);
+            of(profile.starts(axis)[plane], profile.len(axis))
+        };
+        distinct(group.iter().map(distance).collect())
+    };
+    match distances(|at, _| at).min(distances(|at, len| len - at)) {
+        1 => 0.0,
+        values => {
+            let count: u32 = group.iter().map(|(.., count)| count).sum();
+            FREE + f64::from(count) * (values as f64).log2()
+        }
     }
-    let planes =
-        groups.into_iter().flat_map(|(planes, group)| (1..planes).map(move |plane| (plane, group.clone())));
-    planes
-        .map(|(plane, group)| {
-            let count: u32 = group.iter().map(|(_, count)| count).sum();
-            let [from_start, from_end] = [false, true].map(|from_end| {
-                let distance = |(class, _): &(Class, u32)| {
-                    let profile = corpus.profile(*class);
-                    let at = profile.starts(axis)[plane];
-                    if from_end { profile.len(axis) - at } else { at }
-                };
-                group.iter().map(distance).collect::<std::collections::BTreeSet<i32>>().len()
-            });
-            match from_start.min(from_end) {
-                1 => 0.0,
-                values => FREE + f64::from(count) * (values as f64).log2(),
-            }
-        })
-        .sum()
+}
+
+fn distinct(mut numbers: SmallVec<[i32; 32]>) -> usize {
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers.len()
 }

@@ -5,9 +5,10 @@ use super::corpus::{Class, Corpus};
 use super::dependence;
 use super::estimate::{Estimates, REPEAT};
 use super::groups::groupings;
-use super::laws::{Law, Seen, fitted};
+use super::laws::{Law, Seen, Stretch, fitted};
+use super::memo::Memo;
 use super::plan::{self, Form, How, NodeId, Plan};
-use super::planes::{Plane, planes};
+use super::planes::{Plane, Stands, planes};
 use super::repeats::Period;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -18,7 +19,7 @@ pub struct Explainer<'c> {
     pub corpus: &'c mut Corpus,
     pub plan: Plan,
     estimates: Estimates,
-    known: FxHashMap<(Boxes, Search), NodeId>,
+    memo: Memo,
     /// Boxes that are mixed with no other: they are told apart from them, and keep their sizes.
     kept: FxHashSet<Boxes>,
 }
@@ -39,6 +40,8 @@ const SLACK_SHARE: f64 = 0.2;
 
 /// Boxes that are looked at before the search is cut short: a few seconds of work.
 const MOST_ASKED: u64 = 4_000_000;
+/// Looking one step ahead takes about so many times as much as taking what is estimated best.
+const AHEAD_TAKES: u64 = 4;
 
 /// One way to explain boxes.
 #[derive(Clone, Debug)]
@@ -51,7 +54,7 @@ enum Step {
 impl<'c> Explainer<'c> {
     pub fn new(corpus: &'c mut Corpus) -> Explainer<'c> {
         let (plan, estimates) = (Plan::default(), Estimates::default());
-        Explainer { corpus, plan, estimates, known: FxHashMap::default(), kept: FxHashSet::default() }
+        Explainer { corpus, plan, estimates, memo: Memo::default(), kept: FxHashSet::default() }
     }
 
     /// Whether a node is a choice between several boxes that share nothing.
@@ -62,20 +65,38 @@ impl<'c> Explainer<'c> {
         }
     }
 
+    /// Whether so little was looked at without looking ahead that there is enough left to do so.
+    pub fn may_look_ahead(&self) -> bool {
+        self.corpus.asked <= MOST_ASKED / AHEAD_TAKES
+    }
+
     /// Whether so much was looked at that the search had to be cut short.
     pub fn is_spent(&self) -> bool {
         self.corpus.asked > MOST_ASKED
     }
 
-    /// Forgets what was explained, and gives back the plan.
-    pub fn restart(&mut self) -> Plan {
-        self.known.clear();
-        std::mem::take(&mut self.plan)
+    /// Mixes these boxes with no other any more, once they are explained again; whether that is new.
+    pub fn keep(&mut self, boxes: &Boxes) -> bool {
+        let is_new = self.kept.insert(boxes.clone());
+        if is_new {
+            self.memo.forget(boxes);
+        }
+        is_new
     }
 
-    /// Mixes these boxes with no other any more, once all is explained again; whether that is new.
-    pub fn keep(&mut self, boxes: &Boxes) -> bool {
-        self.kept.insert(boxes.clone())
+    /// Boxes that end in `last` never stand before boxes that begin with `first` any more, once all is explained again;
+    /// whether that is new.
+    pub fn tear(&mut self, last: Class, first: Class, axis: Axis) -> bool {
+        let is_new = self.corpus.tear(last, first, axis);
+        if is_new {
+            self.memo = Memo::default();
+        }
+        is_new
+    }
+
+    /// All that was explained on the way to `boxes` and is part of how they are described, by its node.
+    pub fn in_use(&self, boxes: &Boxes, search: Search) -> FxHashMap<NodeId, Vec<Boxes>> {
+        self.memo.in_use(boxes, search)
     }
 
     fn is_kept(&self, boxes: &Boxes) -> bool {
@@ -84,10 +105,10 @@ impl<'c> Explainer<'c> {
 
     /// The node that describes all `boxes`.
     pub fn explain(&mut self, boxes: &Boxes, search: Search) -> NodeId {
-        let key = (boxes.clone(), search);
-        if let Some(&known) = self.known.get(&key) {
+        if let Some(known) = self.memo.get(boxes, search) {
             return known;
         }
+        self.memo.begin(boxes, search);
         let node = match boxes.fill(self.corpus) {
             Some(terminal) => {
                 let how = boxes.classes().map(|class| (class, How::Fill));
@@ -95,11 +116,11 @@ impl<'c> Explainer<'c> {
             }
             None => {
                 let step = self.best(boxes, search);
+                self.memo.drop_uses();
                 self.take(boxes, &step, search)
             }
         };
-        self.plan.note(node, boxes);
-        self.known.insert(key, node);
+        self.memo.end(node);
         node
     }
 
@@ -154,12 +175,21 @@ impl<'c> Explainer<'c> {
 
     /// The bits of drawing apart what a step parts.
     fn apart(&mut self, boxes: &Boxes, step: &Step) -> f64 {
-        let (rows, axis) = match step {
-            Step::Cut(plane) => (dependence::halves(self.corpus, boxes, plane.axis, &plane.at), plane.axis),
-            Step::Repeat(period) => (dependence::neighbours(self.corpus, boxes, *period), period.axis),
-            Step::Choose(_) => return 0.0,
-        };
-        dependence::dependence(self.corpus, &rows, axis)
+        match step {
+            Step::Cut(plane) => {
+                let rows = dependence::halves(self.corpus, boxes, plane.axis, &plane.at);
+                let placed = match plane.stands {
+                    Stands::Freely => dependence::placed(self.corpus, &rows, plane.axis),
+                    Stands::ByLaw => 0.0,
+                };
+                placed + dependence::dependence(self.corpus, &rows, plane.axis)
+            }
+            Step::Repeat(period) => {
+                let units = dependence::units(self.corpus, boxes, *period);
+                dependence::of_units(self.corpus, &units, period.axis)
+            }
+            Step::Choose(_) => 0.0,
+        }
     }
 
     fn steps(&mut self, boxes: &Boxes) -> Vec<(f64, Step)> {
@@ -252,24 +282,29 @@ impl<'c> Explainer<'c> {
                 (low.zip(high).map(|(low, high)| high - low).collect(), *count)
             })
             .collect();
-        let elastic: Vec<bool> = children.iter().map(|child| self.is_elastic(*child, axis)).collect();
+        let stretch: Vec<Stretch> = children.iter().map(|child| self.stretch(*child, axis)).collect();
         let laws = match self.is_kept(boxes) {
             true => seen[0].0.iter().map(|len| Law::Const(*len)).collect(),
-            false => fitted(&seen, &elastic),
+            false => fitted(&seen, &stretch),
         };
         let parts = laws.into_iter().zip(children.iter().copied()).collect();
         let how = starts.into_iter().map(|(class, _, starts)| (class, How::Split(starts)));
         self.plan.add(Form::Split { axis, parts }, how)
     }
 
-    /// Whether a node looks alike at any length.
-    fn is_elastic(&self, node: NodeId, along: Axis) -> bool {
+    /// How a node takes to other lengths.
+    fn stretch(&self, node: NodeId, along: Axis) -> Stretch {
         match &self.plan.node(node).form {
-            Form::Fill(_) => true,
+            Form::Fill(_) => Stretch::Alike,
             Form::Split { axis, parts } if *axis != along => {
-                parts.iter().all(|(_, child)| self.is_elastic(*child, along))
+                parts.iter().map(|(_, child)| self.stretch(*child, along)).max().unwrap_or(Stretch::Stiff)
             }
-            _ => false,
+            Form::Split { parts, .. } => {
+                let floating = parts.iter().filter(|(law, _)| matches!(law, Law::Float(_)));
+                let bends = floating.map(|(_, child)| self.stretch(*child, along).max(Stretch::Bends));
+                bends.min().unwrap_or(Stretch::Stiff)
+            }
+            Form::Repeat { .. } | Form::Choose(_) => Stretch::Stiff,
         }
     }
 

@@ -11,9 +11,10 @@ pub struct Lengths(u128);
 
 impl Lengths {
     const LONGEST: i32 = 127;
-    const ALL: Lengths = Lengths(!1);
+    pub const ALL: Lengths = Lengths(!1);
+    pub const NONE: Lengths = Lengths(0);
 
-    fn of(lengths: impl IntoIterator<Item = i32>) -> Lengths {
+    pub fn of(lengths: impl IntoIterator<Item = i32>) -> Lengths {
         Lengths(lengths.into_iter().fold(0, |bits, len| bits | 1 << len.clamp(0, Self::LONGEST)))
     }
 
@@ -31,12 +32,17 @@ impl Lengths {
         Lengths::of(sums.filter(|len| *len <= Self::LONGEST))
     }
 
-    fn and(self, other: Lengths) -> Lengths {
+    pub fn and(self, other: Lengths) -> Lengths {
         Lengths(self.0 & other.0)
     }
 
-    fn or(self, other: Lengths) -> Lengths {
+    pub fn or(self, other: Lengths) -> Lengths {
         Lengths(self.0 | other.0)
+    }
+
+    /// All others.
+    pub fn inverse(self) -> Lengths {
+        Lengths(!self.0)
     }
 }
 

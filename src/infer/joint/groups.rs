@@ -2,8 +2,7 @@
 
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
-use super::fold::folded;
-use crate::space::{Axis, Cell};
+use crate::space::Axis;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -14,7 +13,8 @@ const MOST: usize = 12;
 /// order of their first class.
 pub fn groupings(corpus: &mut Corpus, boxes: &Boxes) -> Vec<Vec<Boxes>> {
     let mut found: Vec<Vec<Boxes>> = Vec::new();
-    let terminals: BTreeSet<u32> = boxes.classes().flat_map(|class| terminals(corpus, class)).collect();
+    let terminals: BTreeSet<u32> =
+        boxes.classes().flat_map(|class| corpus.terminals(class).to_vec()).collect();
     let holds = terminals.into_iter().map(Signature::Holds);
     for signature in SIGNATURES.into_iter().map(Signature::Of).chain(holds) {
         let mut groups: BTreeMap<u64, Vec<(Class, u32)>> = BTreeMap::new();
@@ -50,16 +50,16 @@ impl Signature {
     fn of(&self, corpus: &mut Corpus, class: Class) -> u64 {
         match self {
             Signature::Of(label) => label(corpus, class),
-            Signature::Holds(terminal) => u64::from(terminals(corpus, class).contains(terminal)),
+            Signature::Holds(terminal) => u64::from(corpus.terminals(class).contains(terminal)),
         }
     }
 }
 
 const SIGNATURES: [fn(&mut Corpus, Class) -> u64; 16] = [
     |corpus, class| u64::from(corpus.profile(class).skeleton.0),
-    |corpus, class| hash(&folded(&corpus.slices(class, Axis::X))),
-    |corpus, class| hash(&folded(&corpus.slices(class, Axis::Y))),
-    |corpus, class| hash(&folded(&corpus.slices(class, Axis::Z))),
+    |corpus, class| u64::from(corpus.sequence(class, Axis::X).number),
+    |corpus, class| u64::from(corpus.sequence(class, Axis::Y).number),
+    |corpus, class| u64::from(corpus.sequence(class, Axis::Z).number),
     |corpus, class| hash(&Axis::ALL.map(|axis| corpus.profile(class).starts(axis).len())),
     |corpus, class| corpus.profile(class).starts(Axis::X).len() as u64,
     |corpus, class| corpus.profile(class).starts(Axis::Y).len() as u64,
@@ -79,20 +79,7 @@ const SIGNATURES: [fn(&mut Corpus, Class) -> u64; 16] = [
 
 /// Which terminals there are, as one number.
 pub fn materials(corpus: &mut Corpus, class: Class) -> u64 {
-    hash(&terminals(corpus, class))
-}
-
-fn terminals(corpus: &Corpus, class: Class) -> BTreeSet<u32> {
-    let profile = corpus.profile(class);
-    let (place, starts) = (profile.place, &profile.starts);
-    let volume = corpus.volume(place);
-    let mut all = BTreeSet::new();
-    for &y in &starts[1] {
-        for &z in &starts[2] {
-            all.extend(starts[0].iter().map(|&x| volume.get(place.bounds.min + Cell::new(x, y, z))));
-        }
-    }
-    all
+    hash(&corpus.terminals(class))
 }
 
 /// With fixed keys, so that it is the same in every run.

@@ -23,6 +23,23 @@ pub enum Law {
 }
 
 impl Law {
+    /// One of these lengths, each as often as it was seen.
+    pub fn table(lengths: impl Iterator<Item = (i32, u32)>) -> Law {
+        let mut counts: BTreeMap<i32, u32> = BTreeMap::new();
+        lengths.for_each(|(len, count)| *counts.entry(len).or_insert(0) += count);
+        Law::Table(counts.into_iter().collect())
+    }
+
+    /// The longest that it gives by itself.
+    fn most(&self) -> i32 {
+        match self {
+            Law::Const(len) => *len,
+            Law::Range { high, .. } => *high,
+            Law::Table(entries) => entries.iter().map(|(len, _)| *len).max().unwrap_or(0),
+            Law::Float(_) | Law::Same(_) => 0,
+        }
+    }
+
     /// The bits of writing it down.
     pub fn bits(&self) -> f64 {
         2.0 + match self {
@@ -62,15 +79,25 @@ pub fn integer(number: i32) -> f64 {
 /// The lengths of the parts of one split in one box, and how often that was seen.
 pub type Seen = (Vec<i32>, u32);
 
-/// The shortest laws that may give all that was seen. `elastic` tells which parts look alike at any length.
-pub fn fitted(seen: &[Seen], elastic: &[bool]) -> Vec<Law> {
-    let count = elastic.len();
+/// How a part takes to lengths that it was not seen in.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Stretch {
+    /// It looks alike at any length.
+    Alike,
+    /// Some of it floats.
+    Bends,
+    Stiff,
+}
+
+/// The shortest laws that may give all that was seen.
+pub fn fitted(seen: &[Seen], stretch: &[Stretch]) -> Vec<Law> {
+    let count = stretch.len();
     let lengths = |part: usize| seen.iter().map(move |(lengths, _)| lengths[part]);
     let varying: Vec<usize> =
         (0..count).filter(|part| lengths(*part).any(|len| len != seen[0].0[*part])).collect();
     let constant: Vec<Law> = seen[0].0.iter().map(|len| Law::Const(*len)).collect();
     if varying.is_empty() {
-        return stretched(constant, &seen[0].0, elastic);
+        return stretched(constant, &seen[0].0, stretch);
     }
     let shared = weights(varying.len()).find_map(|weights| {
         let mut laws = constant.clone();
@@ -78,21 +105,38 @@ pub fn fitted(seen: &[Seen], elastic: &[bool]) -> Vec<Law> {
         seen.iter().all(|(lengths, _)| gives(&laws, lengths)).then_some(laws)
     });
     let drawn = || {
-        let options = varying.iter().map(|floating| drawn(seen, &constant, &varying, *floating));
-        let stiff = |laws: &[Law]| {
-            let floats = laws.iter().position(|law| matches!(law, Law::Float(_)));
-            floats.is_some_and(|part| !elastic[part])
-        };
-        let best = options.min_by(|(a, one), (b, other)| stiff(one).cmp(&stiff(other)).then(a.total_cmp(b)));
-        best.map_or_else(|| constant.clone(), |(_, laws)| laws)
+        let options = varying.iter().map(|floating| {
+            let (bits, laws) = drawn(seen, &constant, &varying, *floating);
+            let is_stiff = stretch[*floating] == Stretch::Stiff;
+            (overdraws(seen, &laws, *floating), is_stiff, bits, laws)
+        });
+        let order =
+            |(overdraws, is_stiff, bits, _): &(bool, bool, f64, Vec<Law>)| (*overdraws, *is_stiff, *bits);
+        let best = options.min_by(|one, other| {
+            let ((one, is_stiff, bits), (other, other_is_stiff, other_bits)) = (order(one), order(other));
+            one.cmp(&other).then(is_stiff.cmp(&other_is_stiff)).then(bits.total_cmp(&other_bits))
+        });
+        best.map_or_else(|| constant.clone(), |(.., laws)| laws)
     };
     shared.unwrap_or_else(drawn)
 }
 
+/// Whether the parts that are drawn may leave the floating one less than it was ever seen with, in a box that was
+/// seen.
+fn overdraws(seen: &[Seen], laws: &[Law], floating: usize) -> bool {
+    let most = |part: usize| match &laws[part] {
+        Law::Same(owner) => laws[*owner].most(),
+        law => law.most(),
+    };
+    let others: i32 = (0..laws.len()).filter(|part| *part != floating).map(most).sum();
+    let least = seen.iter().map(|(lengths, _)| lengths[floating]).min().unwrap_or(0);
+    seen.iter().any(|(lengths, _)| lengths.iter().sum::<i32>() - others < least)
+}
+
 /// Laws of parts that never varied: of those that look alike at any length the longest floats, so that the split
 /// fills other scopes as well.
-fn stretched(mut laws: Vec<Law>, lengths: &[i32], elastic: &[bool]) -> Vec<Law> {
-    let longer = (0..lengths.len()).filter(|part| elastic[*part] && lengths[*part] > 1);
+fn stretched(mut laws: Vec<Law>, lengths: &[i32], stretch: &[Stretch]) -> Vec<Law> {
+    let longer = (0..lengths.len()).filter(|part| stretch[*part] == Stretch::Alike && lengths[*part] > 1);
     if let Some(longest) = longer.max_by_key(|part| (lengths[*part], std::cmp::Reverse(*part))) {
         laws[longest] = Law::Float(1);
     }
@@ -184,9 +228,9 @@ mod tests {
         }
     }
 
-    fn laws_of(seen: &[&[i32]], elastic: &[bool]) -> Vec<Law> {
+    fn laws_of(seen: &[&[i32]], stretch: &[Stretch]) -> Vec<Law> {
         let seen: Vec<Seen> = seen.iter().map(|lengths| (lengths.to_vec(), 1)).collect();
-        let laws = fitted(&seen, elastic);
+        let laws = fitted(&seen, stretch);
         for (lengths, _) in &seen {
             assert!(laws.iter().zip(lengths).all(|(law, len)| allows(law, *len)), "{laws:?}");
         }
@@ -195,27 +239,34 @@ mod tests {
 
     #[test]
     fn what_does_not_vary_is_constant_and_the_rest_floats() {
-        let laws = laws_of(&[&[1, 5, 1], &[1, 8, 1]], &[true; 3]);
+        let laws = laws_of(&[&[1, 5, 1], &[1, 8, 1]], &[Stretch::Alike; 3]);
         assert_eq!(laws, [Law::Const(1), Law::Float(1), Law::Const(1)]);
     }
 
     #[test]
     fn shares_are_found() {
-        let laws = laws_of(&[&[6, 3], &[7, 4], &[8, 4]], &[true; 2]);
+        let laws = laws_of(&[&[6, 3], &[7, 4], &[8, 4]], &[Stretch::Alike; 2]);
         assert_eq!(laws, [Law::Float(2), Law::Float(1)]);
     }
 
     #[test]
     fn equal_lengths_are_drawn_once() {
-        let laws = laws_of(&[&[1, 3, 1], &[2, 2, 2], &[2, 5, 2]], &[true; 3]);
+        let laws = laws_of(&[&[1, 3, 1], &[2, 2, 2], &[2, 5, 2]], &[Stretch::Alike; 3]);
         assert_eq!(laws, [Law::Range { low: 1, high: 2, step: 1 }, Law::Float(1), Law::Same(0)]);
     }
 
     #[test]
+    fn what_is_drawn_leaves_room_for_the_rest() {
+        let porch = [Stretch::Bends, Stretch::Alike];
+        let laws = laws_of(&[&[3, 4], &[8, 4], &[7, 2], &[10, 2]], &porch);
+        assert_eq!(laws, [Law::Float(1), Law::Range { low: 2, high: 4, step: 2 }]);
+    }
+
+    #[test]
     fn what_never_varied_stretches_where_it_looks_alike() {
-        let laws = laws_of(&[&[1, 4, 2]], &[true, true, false]);
+        let laws = laws_of(&[&[1, 4, 2]], &[Stretch::Alike, Stretch::Alike, Stretch::Stiff]);
         assert_eq!(laws, [Law::Const(1), Law::Float(1), Law::Const(2)]);
-        assert_eq!(laws_of(&[&[1, 4]], &[false; 2]), [Law::Const(1), Law::Const(4)]);
+        assert_eq!(laws_of(&[&[1, 4]], &[Stretch::Stiff; 2]), [Law::Const(1), Law::Const(4)]);
     }
 
     #[test]

@@ -5,9 +5,11 @@
 //! Example --volume--> Volume --corpus--> classes of boxes --explain--> Plan --emit--> OpGraph
 //! ```
 
+mod blame;
 mod boxes;
 mod corpus;
 mod dependence;
+mod derivation;
 mod emit;
 mod estimate;
 mod explain;
@@ -15,6 +17,8 @@ mod feasible;
 mod fold;
 mod groups;
 mod laws;
+mod limits;
+mod memo;
 mod plan;
 mod planes;
 mod repeats;
@@ -25,19 +29,20 @@ mod volume;
 use super::example::{Example, Terminals};
 use super::{Freedom, Learnt};
 use crate::block;
-use crate::graph::NodeIndex;
 use crate::grid::Grid;
 use crate::space::{Axis, Cell};
+use blame::{Repair, Repairs, Suspects};
 use boxes::Boxes;
 use corpus::Corpus;
-use emit::Emitted;
 use explain::{Explainer, Search};
+use limits::Limits;
 use samples::Shown;
-use std::collections::BTreeSet;
 use volume::Volume;
 
 /// So many steps are looked ahead.
 const AHEAD: u8 = 1;
+/// So often what is to blame is repaired.
+const ROUNDS: usize = 100;
 /// Examples of more cells than this in all are not searched, nor any that is longer on an axis: cuts are nested as
 /// deep as there are slices.
 const MOST_CELLS: u64 = 250_000;
@@ -46,8 +51,7 @@ const LONGEST: i32 = 128;
 /// Learns one op graph from several examples of blocks, none of them empty. `open` are the examples without what
 /// the neighbours of blocks decide.
 ///
-/// Where samples show what no example shows, the boxes that were mixed there are kept apart, and all is explained
-/// again. `None` where no operation describes two examples, or where to find it would take too long.
+/// Where samples show what no example shows, what is to blame is repaired, and what that touches is explained again. `None` where no operation describes two examples, or where to find it would take too long.
 pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<Learnt> {
     let cells: u64 = examples.iter().map(|grid| grid.bounds().volume()).sum();
     let is_long = |grid: &&Grid| grid.size().max_element() > LONGEST;
@@ -56,45 +60,78 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     }
     let mut terminals = Terminals::default();
     let mut corpus = corpus(examples, open, &mut terminals);
-    let mut shown = Shown::by(examples);
+    let shown = Shown::by(examples);
     let places = corpus.examples();
     let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
     let mut explainer = Explainer::new(&mut corpus);
-    loop {
+    let mut limits = Limits::default();
+    explainer.explain(&boxes, Search(0));
+    if !explainer.may_look_ahead() {
+        return None;
+    }
+    for _ in 0..ROUNDS {
         let root = explainer.explain(&boxes, Search(AHEAD));
         if explainer.is_spent() || explainer.tells_all_apart(root, &boxes) {
             return None;
         }
-        let emitted = emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open);
-        let blamed = match freedom {
-            Freedom::Seen => shown.blamed(&emitted.learnt.graph),
-            Freedom::Free => BTreeSet::new(),
+        let emitted = emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
+        let faults = match freedom {
+            Freedom::Seen => shown.faults(&emitted.learnt.graph, &mut terminals),
+            Freedom::Free => Vec::new(),
         };
-        if blamed.is_empty() {
+        if faults.is_empty() {
             return Some(emitted.learnt);
         }
-        if !keep_apart(&mut explainer, &emitted, &blamed) {
+        let made_for = explainer.in_use(&boxes, Search(AHEAD));
+        let mut suspects = Suspects {
+            plan: &explainer.plan,
+            corpus: explainer.corpus,
+            emitted: &emitted,
+            made_for: &made_for,
+        };
+        let repairs: Vec<Repairs> = faults.iter().flat_map(|faulty| suspects.repairs(faulty)).collect();
+        if !repair(&mut explainer, &mut limits, &repairs) {
             return None;
         }
+    }
+    None
+}
+
+/// Makes the mildest repair of each fault that is new; boxes are kept apart only where nothing else is left to do.
+/// Whether there was any.
+fn repair(explainer: &mut Explainer<'_>, limits: &mut Limits, repairs: &[Repairs]) -> bool {
+    let mut kept = Vec::new();
+    let mut is_new = false;
+    for repairs in repairs {
+        let (harsh, mild): (Vec<&Vec<Repair>>, Vec<&Vec<Repair>>) =
+            repairs.iter().partition(|group| matches!(group.first(), Some(Repair::Keep(_))));
+        let made = mild
+            .into_iter()
+            .any(|group| group.iter().fold(false, |made, repair| made | make(explainer, limits, repair)));
+        is_new |= made;
+        if !made {
+            kept.push(harsh);
+        }
+    }
+    if !is_new {
+        for group in kept {
+            is_new |= group.into_iter().flatten().any(|repair| make(explainer, limits, repair));
+        }
+    }
+    is_new
+}
+
+fn make(explainer: &mut Explainer<'_>, limits: &mut Limits, repair: &Repair) -> bool {
+    match repair {
+        Repair::Tear { last, first, axis } => explainer.tear(*last, *first, *axis),
+        Repair::Limit { boxes, axis } => limits.set(boxes, *axis),
+        Repair::Keep(boxes) => explainer.keep(boxes),
     }
 }
 
 fn corpus(examples: &[&Grid], open: &[Example], terminals: &mut Terminals) -> Corpus {
     let cells = open.iter().filter_map(|example| example.cells(terminals));
     Corpus::new(cells.zip(examples).map(|(cells, grid)| Volume::new(cells, &wholes(grid))).collect())
-}
-
-/// Keeps apart what was mixed around each place that is to blame: the innermost boxes that are not kept apart yet.
-/// Whether there were any.
-fn keep_apart(explainer: &mut Explainer<'_>, emitted: &Emitted, blamed: &BTreeSet<Vec<NodeIndex>>) -> bool {
-    let plan = explainer.restart();
-    let mut is_new = false;
-    for around in blamed {
-        let nodes = around.iter().filter_map(|node| emitted.nodes.get(node)).flatten();
-        let mut made_for = nodes.flat_map(|node| &plan.node(*node).made_for);
-        is_new |= made_for.any(|boxes| explainer.keep(boxes));
-    }
-    is_new
 }
 
 /// The first halves of doors, beds and the like, with the axis on which the second one stands.

@@ -2,7 +2,7 @@
 
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
-use super::dependence::dependence;
+use super::dependence;
 use super::estimate::choice;
 use super::laws::{Law, integer};
 use crate::space::Axis;
@@ -45,8 +45,6 @@ pub struct Node {
     pub form: Form,
     /// By class, all that it was made for.
     pub how: FxHashMap<Class, How>,
-    /// Every set of boxes that it was made for.
-    pub made_for: Vec<Boxes>,
 }
 
 /// Nodes by their form: what is equal is one node.
@@ -66,18 +64,10 @@ impl Plan {
         let next = NodeId(self.nodes.len() as u32);
         let id = *self.known.entry(form.clone()).or_insert(next);
         if id == next {
-            self.nodes.push(Node { form, how: FxHashMap::default(), made_for: Vec::new() });
+            self.nodes.push(Node { form, how: FxHashMap::default() });
         }
         self.nodes[id.0 as usize].how.extend(how);
         id
-    }
-
-    /// Notes that a node was made for these boxes.
-    pub fn note(&mut self, id: NodeId, boxes: &Boxes) {
-        let made_for = &mut self.nodes[id.0 as usize].made_for;
-        if !made_for.contains(boxes) {
-            made_for.push(boxes.clone());
-        }
     }
 
     pub fn children(&self, id: NodeId) -> Vec<NodeId> {
@@ -156,24 +146,22 @@ impl Shapes {
 
 /// The bits of drawing apart what goes together: the parts of a split, and units that stand side by side.
 fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
-    let parts = |corpus: &mut Corpus, class| -> Vec<Class> {
-        inside(plan, corpus, id, class).into_iter().map(|(_, part)| part).collect()
+    let mut rows = || -> Vec<(Vec<Class>, u32)> {
+        let parts = |corpus: &mut Corpus, class| {
+            inside(plan, corpus, id, class).into_iter().map(|(_, part)| part).collect()
+        };
+        boxes.iter().map(|(class, count)| (parts(corpus, class), count)).collect()
     };
-    let form = &plan.node(id).form;
-    let rows: Vec<(Vec<Class>, u32)> = match form {
-        Form::Split { .. } => boxes.iter().map(|(class, count)| (parts(corpus, class), count)).collect(),
-        Form::Repeat { .. } => {
-            let units = boxes.iter().map(|(class, count)| (parts(corpus, class), count)).collect::<Vec<_>>();
-            let pair = |(units, count): &(Vec<Class>, u32)| {
-                units.windows(2).map(|pair| (pair.to_vec(), *count)).collect::<Vec<_>>()
-            };
-            units.iter().flat_map(pair).collect()
+    match &plan.node(id).form {
+        Form::Split { axis, .. } => {
+            let rows = rows();
+            dependence::dependence(corpus, &rows, *axis)
         }
-        _ => Vec::new(),
-    };
-    match form {
-        Form::Split { axis, .. } | Form::Repeat { axis, .. } => dependence(corpus, &rows, *axis),
-        _ => 0.0,
+        Form::Repeat { axis, .. } => {
+            let rows = rows();
+            dependence::of_units(corpus, &rows, *axis)
+        }
+        Form::Fill(_) | Form::Choose(_) => 0.0,
     }
 }
 
@@ -238,6 +226,20 @@ pub fn occurrences(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes
         all.push((id, boxes));
     }
     all
+}
+
+/// The alternatives of a choice that some of its boxes take, with those boxes.
+pub fn alternatives(plan: &Plan, id: NodeId, boxes: &Boxes) -> Option<Vec<(NodeId, Boxes)>> {
+    let node = plan.node(id);
+    let Form::Choose(children) = &node.form else { return None };
+    let mut groups: Vec<Vec<(Class, u32)>> = vec![Vec::new(); children.len()];
+    for (class, count) in boxes.iter() {
+        if let Some(How::Choose(number)) = node.how.get(&class) {
+            groups[*number].push((class, count));
+        }
+    }
+    let taken = children.iter().zip(groups).filter(|(_, group)| !group.is_empty());
+    Some(taken.map(|(child, group)| (*child, Boxes::of(group))).collect())
 }
 
 /// The parts of a box of that class under a node, each with the node that describes it.

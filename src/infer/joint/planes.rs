@@ -17,7 +17,16 @@ const FREE: f64 = 11.0;
 pub struct Plane {
     pub axis: Axis,
     pub at: Vec<i32>,
+    pub stands: Stands,
     pub bits: f64,
+}
+
+/// Whether it can be told from the length of a box where a plane stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stands {
+    /// At one distance from an end, or at one share.
+    ByLaw,
+    Freely,
 }
 
 impl Plane {
@@ -69,26 +78,30 @@ fn across(corpus: &Corpus, boxes: &Boxes, axis: Axis, spares_wholes: bool) -> Ve
         cuts.all(|(class, at)| !corpus.is_whole_across(class, axis, *at))
     };
     let ways = ways.into_iter().filter(|way| is_inside(way) && (!spares_wholes || spares(way)));
-    ways.map(|at| Plane { axis, bits: bits(boxes, &at, &lens), at }).collect()
+    let plane = |at: Vec<i32>| {
+        let (stands, bits) = bits(boxes, &at, &lens);
+        Plane { axis, at, stands, bits }
+    };
+    ways.map(plane).collect()
 }
 
-fn bits(boxes: &Boxes, at: &[i32], lens: &[i32]) -> f64 {
+fn bits(boxes: &Boxes, at: &[i32], lens: &[i32]) -> (Stands, f64) {
     let is_one = |mut values: Box<dyn Iterator<Item = i32> + '_>| {
         let first = values.next();
         values.all(|value| Some(value) == first)
     };
     if is_one(Box::new(at.iter().copied())) || is_one(Box::new(at.iter().zip(lens).map(|(at, len)| len - at)))
     {
-        return FIXED;
+        return (Stands::ByLaw, FIXED);
     }
     if is_share(at, lens) {
-        return SHARE;
+        return (Stands::ByLaw, SHARE);
     }
     let values = |from_end: bool| {
         let all = at.iter().zip(lens).map(move |(at, len)| if from_end { len - at } else { *at });
         all.collect::<BTreeSet<i32>>().len()
     };
-    FREE + f64::from(boxes.count()) * (values(false).min(values(true)) as f64).log2()
+    (Stands::Freely, FREE + f64::from(boxes.count()) * (values(false).min(values(true)) as f64).log2())
 }
 
 /// Whether the plane stands at one share of every length, as rounding has it.

@@ -3,6 +3,7 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use crate::space::Axis;
+use std::rc::Rc;
 
 /// So many slices may stand before the first unit, and behind the last.
 const MOST_BEFORE: i32 = 1;
@@ -33,7 +34,7 @@ impl Period {
             if !varied {
                 continue;
             }
-            let slices: Vec<Vec<Class>> = boxes.classes().map(|class| slices(corpus, class, axis)).collect();
+            let slices: Vec<Rc<[Class]>> = boxes.classes().map(|class| corpus.row(class, axis)).collect();
             for (axis, before, behind) in ends(axis) {
                 for unit in units(&slices, before, behind) {
                     let period = Period { axis, before, behind, unit };
@@ -80,7 +81,7 @@ impl Period {
     }
 
     /// Whether enough changes from slice to slice come again one unit later.
-    fn agrees(&self, slices: &[Vec<Class>]) -> bool {
+    fn agrees(&self, slices: &[Rc<[Class]>]) -> bool {
         let (mut equal, mut all) = (0, 0);
         for slices in slices {
             let inner = &slices[self.before as usize..slices.len() - self.behind as usize];
@@ -102,21 +103,8 @@ impl Period {
     }
 }
 
-/// The class of every slice of a box.
-fn slices(corpus: &mut Corpus, class: Class, axis: Axis) -> Vec<Class> {
-    let len = corpus.profile(class).len(axis);
-    let starts = corpus.profile(class).starts[axis.index()].clone();
-    let mut slices = Vec::with_capacity(len as usize);
-    for (number, at) in starts.iter().enumerate() {
-        let slice = corpus.part(class, axis, *at, at + 1);
-        let end = starts.get(number + 1).copied().unwrap_or(len);
-        slices.extend((*at..end).map(|_| slice));
-    }
-    slices
-}
-
 /// The lengths that divide what all boxes have between their ends, where one of them has two units at least.
-fn units(slices: &[Vec<Class>], before: i32, behind: i32) -> Vec<i32> {
+fn units(slices: &[Rc<[Class]>], before: i32, behind: i32) -> Vec<i32> {
     let inner: Vec<i32> = slices.iter().map(|slices| slices.len() as i32 - before - behind).collect();
     let longest = inner.iter().copied().max().unwrap_or(0);
     if inner.iter().any(|len| *len <= 0) {
