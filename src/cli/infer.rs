@@ -129,10 +129,11 @@ fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
     }
     drop(progress);
     tell_losses(&paths, &examples);
-    let Learnt { mut graph, labels, by } = infer::infer(&examples, args.method.into(), args.freedom.into())
+    let mut learnt = infer::infer(&examples, args.method.into(), args.freedom.into())
         .map_err(|error| failure(&paths, &error))?;
-    graph.preamble = preamble(&paths);
-    let text = raise(&graph).to_string();
+    learnt.graph.preamble = preamble(&paths);
+    let text = learnt.grammar().to_string();
+    let Learnt { labels, by, .. } = learnt;
     let graph = read_back(&text)?;
     let parser = Parser::new(&graph, Laws::AsWritten).with_labels(&labels);
     let derived = examples.iter().map(|example| example.is_derived_by(&parser));
@@ -182,7 +183,8 @@ fn preamble(paths: &[PathBuf]) -> Vec<String> {
             path.file_name().map_or_else(|| input::name(path), |name| name.to_string_lossy().into_owned())
         })
         .collect();
-    let mut lines = vec!["Learnt by vox from".to_owned()];
+    let houses = if paths.len() == 1 { "one house:".to_owned() } else { format!("{} houses:", paths.len()) };
+    let mut lines = vec![format!("Learnt by vox from {houses}")];
     for name in names {
         match lines.last_mut() {
             Some(line) if line.len() + name.len() < 98 => *line += &format!(" {name}"),

@@ -16,8 +16,15 @@ impl Display for Grammar {
         }
         let mut head = directives(self);
         self.imports.iter().for_each(|import| head += &format!("{import}\n"));
-        self.sizes.iter().for_each(|size| head += &format!("{size}\n"));
-        self.constants.iter().for_each(|constant| head += &format!("{constant}\n"));
+        let sizes = self.sizes.iter().map(|size| (&size.comments, size.to_string()));
+        let constants = self.constants.iter().map(|constant| (&constant.comments, constant.to_string()));
+        for (comments, text) in sizes.chain(constants) {
+            // A comment is the heading of what follows.
+            if !comments.is_empty() && !head.is_empty() {
+                blocks.push(std::mem::take(&mut head));
+            }
+            head += &format!("{text}\n");
+        }
         if !head.is_empty() {
             blocks.push(head);
         }

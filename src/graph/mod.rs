@@ -3,6 +3,7 @@
 //! Knows nothing of grids or files.
 
 mod build;
+mod constants;
 mod dot;
 mod expr;
 mod lower;

@@ -232,10 +232,10 @@ impl OpGraph {
         self.graph.edges(node).map(|edge| (edge.weight(), edge.target()))
     }
 
-    /// Whether a node is a primitive, turned or not, or nil: too short to have a rule of its own.
+    /// Whether a node is a primitive, turned or not, nil, or a call: too short to have a rule of its own.
     pub fn is_leaf(&self, node: NodeIndex) -> bool {
         match self.op(node) {
-            Op::Primitive { .. } | Op::Nil => true,
+            Op::Primitive { .. } | Op::Nil | Op::Call(_) => true,
             Op::Rotate { .. } => {
                 self.children(node).all(|(_, child)| matches!(self.op(child), Op::Primitive { .. }))
             }

@@ -48,7 +48,7 @@ impl<'g> Raising<'g> {
     fn new(graph: &'g OpGraph) -> Raising<'g> {
         let shapes = graph.nodes().filter_map(|node| shape_label(graph, node)).map(str::to_owned);
         let taken = graph.constants.iter().map(|known| known.name.clone()).chain(shapes).collect();
-        let open_params = open_params(graph);
+        let open_params = graph.open_params();
         Raising {
             graph,
             open_params,
@@ -383,18 +383,20 @@ fn raise_thing(thing: &Thing) -> ast::Expr {
     })
 }
 
-/// For each node, whether it or a node below it, short of a call's target, uses a parameter.
-fn open_params(graph: &OpGraph) -> Vec<bool> {
-    let mut open = vec![false; graph.len()];
-    let mut todo: Vec<NodeIndex> = graph.nodes().filter(|node| uses_params(graph, *node)).collect();
-    while let Some(node) = todo.pop() {
-        if std::mem::replace(&mut open[node.index()], true) {
-            continue;
+impl OpGraph {
+    /// For each node, whether it or a node below it, short of a call's target, uses a parameter.
+    pub fn open_params(&self) -> Vec<bool> {
+        let mut open = vec![false; self.len()];
+        let mut todo: Vec<NodeIndex> = self.nodes().filter(|node| uses_params(self, *node)).collect();
+        while let Some(node) = todo.pop() {
+            if std::mem::replace(&mut open[node.index()], true) {
+                continue;
+            }
+            let users = self.graph.neighbors_directed(node, Direction::Incoming);
+            todo.extend(users.filter(|user| !matches!(self.op(*user), Op::Call(_))));
         }
-        let users = graph.graph.neighbors_directed(node, Direction::Incoming);
-        todo.extend(users.filter(|user| !matches!(graph.op(*user), Op::Call(_))));
+        open
     }
-    open
 }
 
 fn uses_params(graph: &OpGraph, node: NodeIndex) -> bool {

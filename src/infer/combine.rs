@@ -48,8 +48,6 @@ pub enum Content {
 #[derive(Debug)]
 pub struct Kinds {
     pub list: Vec<Kind>,
-    /// The places of each kind: the example, and the box in it.
-    pub places: Vec<Vec<(usize, Bounds)>>,
     /// The kind of each slab.
     pub roots: Vec<KindId>,
     /// Whether a kind can be any length along an axis that is not below the shortest seen.
@@ -61,7 +59,6 @@ pub struct Kinds {
 /// A part of an example with its split tree.
 #[derive(Debug)]
 pub struct Slab {
-    pub example: usize,
     pub bounds: Bounds,
     pub tree: Tree,
 }
@@ -69,8 +66,7 @@ pub struct Slab {
 /// Finds the kinds of the trees, each laid out in its box. Leaves with a label of `rigid` have one size.
 pub fn combine(slabs: &[Slab], chance: Chance, rigid: BTreeSet<u32>) -> Kinds {
     let forest = Forest::plant(slabs);
-    let (list, places, roots, elastic) = Default::default();
-    let mut kinds = Kinds { list, places, roots, elastic, rigid };
+    let mut kinds = Kinds { list: Vec::new(), roots: Vec::new(), elastic: Vec::new(), rigid };
     let mut of_node = vec![KindId(u32::MAX); forest.nodes.len()];
     let mut simple: FxHashMap<u64, KindId> = FxHashMap::default();
     for level in forest.levels() {
@@ -97,7 +93,6 @@ pub fn combine(slabs: &[Slab], chance: Chance, rigid: BTreeSet<u32>) -> Kinds {
                     continue;
                 }
             }
-            kinds.places[of_node[number].0 as usize].push((node.example, node.bounds));
         }
         for group in groups {
             kinds.settle(group, &forest, chance, &mut of_node);
@@ -130,7 +125,6 @@ impl Kinds {
     fn add(&mut self, kind: Kind) -> KindId {
         self.elastic.push(Axis::ALL.map(|axis| self.stretches(&kind, axis)));
         self.list.push(kind);
-        self.places.push(Vec::new());
         KindId(self.list.len() as u32 - 1)
     }
 
@@ -143,8 +137,6 @@ impl Kinds {
             let kind = self.add(Kind::Split { axis, items });
             for number in members {
                 of_node[number] = kind;
-                let node = &forest.nodes[number];
-                self.places[kind.0 as usize].push((node.example, node.bounds));
             }
         }
     }
@@ -268,7 +260,6 @@ struct Forest {
 }
 
 struct Planted {
-    example: usize,
     bounds: Bounds,
     /// 0 for leaves, one more than the highest child for splits.
     height: usize,
@@ -289,14 +280,14 @@ impl Forest {
     fn plant(slabs: &[Slab]) -> Forest {
         let mut forest = Forest { nodes: Vec::new(), roots: Vec::new() };
         for slab in slabs {
-            let root = forest.plant_tree(slab.example, &slab.tree, slab.bounds);
+            let root = forest.plant_tree(&slab.tree, slab.bounds);
             forest.roots.push(root);
         }
         forest
     }
 
     /// Adds the nodes of a tree, walked parents first and added children first.
-    fn plant_tree(&mut self, example: usize, tree: &Tree, bounds: Bounds) -> usize {
+    fn plant_tree(&mut self, tree: &Tree, bounds: Bounds) -> usize {
         let mut order: Vec<(NodeId, Bounds, usize)> = vec![(tree.root(), bounds, 0)];
         let mut at = 0;
         while at < order.len() {
@@ -328,7 +319,7 @@ impl Forest {
                 }
                 Grown::Nil | Grown::Leaf(_) => 0,
             };
-            self.nodes.push(Planted { example, bounds, height, grown });
+            self.nodes.push(Planted { bounds, height, grown });
         }
         number(0)
     }

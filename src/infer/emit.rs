@@ -6,14 +6,13 @@ use super::exchange::Exchange;
 use super::fold::Piece;
 use super::held::Held;
 use super::law::Law;
-use super::naming::{self, Places};
-use super::{Learnt, Method};
+use super::{Learnt, Method, Notes};
 use crate::block::{self, BlockState, Version};
 use crate::grammar::ast::BinaryOp;
 use crate::grammar::{is_primitive, is_reserved};
 use crate::graph::{Alternative, Arg, Builder, Constant, Expr, NodeIndex, Op, Size, StartSize, Thing};
 use crate::neighbours::decided;
-use crate::space::{Axis, Bounds, Cell, Up};
+use crate::space::{Axis, Cell, Up};
 use std::collections::BTreeMap;
 
 /// The op graph of all kinds, with what the sites in them can hold. Its root chooses between the examples that no
@@ -31,22 +30,19 @@ pub fn emit(
         labels: Vec::new(),
         nodes: Vec::new(),
         sites: Vec::new(),
-        places: Places::new(),
         known: BTreeMap::new(),
     };
     emitter.kinds(&sites.kinds, terminals);
     emitter.sites(sites);
     emitter.kinds(kinds, terminals);
     let root = emitter.root(&slab_nodes(kinds, exchanges, &emitter.nodes), exchanges, examples);
-    let Emitter { builder, constants, labels, nodes, places, .. } = emitter;
-    let places = naming::places(kinds, &nodes, places);
-    let (mut graph, kept) = builder.finish(root);
+    let Emitter { builder, constants, labels, .. } = emitter;
+    let (mut graph, _) = builder.finish(root);
     let labels = constants.iter().map(|known| known.name.clone()).zip(labels).collect();
     graph.constants = constants;
     graph.sizes = sizes(examples);
     graph.data_version = data_version(examples);
-    naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
-    Learnt { graph, labels, by: Method::Boxes }
+    Learnt { graph, labels, by: Method::Boxes, notes: Notes::default() }
 }
 
 struct Emitter {
@@ -58,8 +54,6 @@ struct Emitter {
     nodes: Vec<NodeIndex>,
     /// The node of each site.
     sites: Vec<NodeIndex>,
-    /// Where the nodes that choose between slabs were first seen.
-    places: Places,
     /// What was made of a slab of these members: each class past a plane comes back for every member before it.
     known: BTreeMap<(usize, Vec<usize>), NodeIndex>,
 }
@@ -80,7 +74,6 @@ impl Emitter {
             let held: Vec<(f64, NodeIndex)> =
                 site.contents.iter().map(|(_, count)| f64::from(*count)).zip(roots.by_ref()).collect();
             let node = self.builder.choose(held);
-            self.places.entry(node).or_insert((site.example, site.bounds));
             self.sites.push(node);
         }
     }
@@ -185,8 +178,7 @@ impl Emitter {
             .collect();
         let mut seen: Vec<(NodeIndex, Vec<Cell>, f64)> = Vec::new();
         for group in exchanges {
-            let bounds = examples[group.members[0]].bounds();
-            let node = self.slabs_on(group, slabs, bounds, 0, &group.members);
+            let node = self.slabs_on(group, slabs, 0, &group.members);
             let weight = group.members.len() as f64;
             match seen.iter_mut().find(|(known, ..)| *known == node) {
                 Some((_, sizes, sum)) => {
@@ -212,7 +204,6 @@ impl Emitter {
         &mut self,
         group: &Exchange,
         slabs: &[Vec<NodeIndex>],
-        bounds: Bounds,
         slab: usize,
         members: &[usize],
     ) -> NodeIndex {
@@ -230,7 +221,7 @@ impl Emitter {
                     let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at);
                     let length = Size::absolute(Expr::number(f64::from(plane.at - low)));
                     let past = group.exchangeable(plane, *member);
-                    let rest = self.slabs_on(group, slabs, bounds, slab + 1, &past);
+                    let rest = self.slabs_on(group, slabs, slab + 1, &past);
                     let parts = vec![(length, node), (Size::floating(1.0), rest)];
                     self.builder.split(Expr::Axis(group.axis), parts)
                 }
@@ -238,9 +229,6 @@ impl Emitter {
             alternatives.push((1.0, node));
         }
         let node = self.builder.choose(alternatives);
-        let low = slab.checked_sub(1).map_or(0, |before| group.planes[before].at) + group.axis.of(bounds.min);
-        let rest = bounds.slab(group.axis, low, group.axis.of(bounds.max));
-        self.places.entry(node).or_insert((members[0], rest));
         self.known.insert(key, node);
         node
     }

@@ -10,7 +10,7 @@ use super::example::{Example, Terminal, Terminals};
 use super::neighbourhood::{Neighbourhood, Place, Seen, Shown, corners, places};
 use crate::block::{self, Shape};
 use crate::space::{Axis, Bounds, Cell};
-use ndarray::{Array3, ArrayView3, Slice};
+use ndarray::{ArrayView3, Slice};
 use std::collections::BTreeMap;
 use std::ops::Range;
 

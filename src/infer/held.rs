@@ -82,7 +82,7 @@ fn contents(site: &Site, terminals: &mut Terminals) -> Vec<Slab> {
         // Cuboids lie in their grid and do not overlap.
         example.tree(bounds, &boxes).ok()
     });
-    trees.map(|tree| Slab { example: site.example, bounds: site.bounds, tree }).collect()
+    trees.map(|tree| Slab { bounds: site.bounds, tree }).collect()
 }
 
 fn grid(content: &Array3<u32>, size: Cell, terminals: &Terminals) -> Grid {

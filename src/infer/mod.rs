@@ -21,6 +21,7 @@ mod swaps;
 pub mod tree;
 mod variety;
 
+use crate::grammar::Grammar;
 use crate::graph::OpGraph;
 use crate::grid::Grid;
 use combine::Slab;
@@ -31,6 +32,7 @@ pub use crate::parse::Labels;
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
 pub use cuboids::cuboids;
 pub use example::{Example, Terminal, Terminals};
+pub use naming::Notes;
 pub use tree::{Node, NodeId, Part, Tree, TreeBuilder};
 pub use variety::variety;
 
@@ -66,6 +68,15 @@ pub struct Learnt {
     pub labels: Labels,
     /// The method that learnt it.
     pub by: Method,
+    /// Comments for whoever reads it.
+    pub notes: Notes,
+}
+
+impl Learnt {
+    /// The grammar that says it, with comments.
+    pub fn grammar(&self) -> Grammar {
+        self.notes.write(&self.graph)
+    }
 }
 
 /// How examples become rules.
@@ -111,12 +122,13 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
         Example::Boxes(_) => None,
     });
     let grids: Vec<&Grid> = grids.collect();
-    match method {
+    let learnt = match method {
         Method::Joint if !grids.is_empty() => {
             joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open), Ok)
         }
         Method::Joint | Method::Boxes => by_boxes(&open),
-    }
+    };
+    Ok(naming::name(learnt?, examples))
 }
 
 fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
@@ -136,11 +148,7 @@ fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
         let boxes = group(number).map_or_else(Vec::new, |group| group.slabs(example.bounds()));
         let trees = held.trees(number, example, &boxes, &mut terminals);
         let trees = trees.map_err(|problem| InferError::Boxes { example: number, problem })?;
-        slabs.extend(boxes.into_iter().zip(trees).map(|(bounds, tree)| Slab {
-            example: number,
-            bounds,
-            tree,
-        }));
+        slabs.extend(boxes.into_iter().zip(trees).map(|(bounds, tree)| Slab { bounds, tree }));
     }
     let chance = match examples.first() {
         Some(Example::Blocks(_)) => combine::Chance::Bodies,

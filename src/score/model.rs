@@ -17,7 +17,7 @@
 //! | text | 8 for each letter |
 //!
 //! `natural` of n is 2 floor(log n) + 1. Names, comments, what is said of attributes and the sizes of the start scope are
-//! free.
+//! free, and so are constants that only name a block or are for those sizes alone.
 
 use crate::grammar::ast::{BinaryOp, Function, Rule, SizeKind};
 use crate::graph::{Alternative, Arg, Expr, NodeIndex, Op, OpGraph, Size, Thing};
@@ -25,13 +25,32 @@ use std::collections::BTreeSet;
 
 /// The bits of a grammar, as the table above has it. Equal operations are made one first.
 pub fn model_bits(graph: &OpGraph) -> f64 {
-    let graph = graph.unified();
+    let graph = graph.spelled_out().unified();
     let code = Code::of(&graph);
     let operations = graph.nodes().map(|node| code.operation(&graph, node));
-    let constants = graph.constants.iter().map(|constant| &constant.value);
+    let constants = used_constants(&graph).into_iter().map(|at| &graph.constants[at].value);
     let styles = graph.styles.iter().flat_map(|style| style.values.iter().map(|(_, value)| value));
     let values = constants.chain(styles).map(|expr| code.expr(expr));
     operations.sum::<f64>() + code.references(&graph) + values.sum::<f64>()
+}
+
+/// The constants that operations and styles need, by themselves or for others.
+fn used_constants(graph: &OpGraph) -> BTreeSet<usize> {
+    let mut used = BTreeSet::new();
+    let on_edges = graph.nodes().flat_map(|node| graph.children(node).flat_map(|(arg, _)| arg.exprs()));
+    let mut open: Vec<&Expr> =
+        graph.nodes().flat_map(|node| graph.op(node).exprs()).chain(on_edges).collect();
+    open.extend(graph.styles.iter().flat_map(|style| style.values.iter().map(|(_, value)| value)));
+    while let Some(expr) = open.pop() {
+        let mut fresh = Vec::new();
+        expr.for_each(&mut |part| {
+            if let Expr::Constant(at) = part {
+                fresh.extend(used.insert(*at).then_some(*at));
+            }
+        });
+        open.extend(fresh.into_iter().filter_map(|at| graph.constants.get(at)).map(|known| &known.value));
+    }
+    used
 }
 
 /// A whole number of one or more, small ones in few bits.
@@ -70,7 +89,7 @@ impl Code {
             graph.op(node).exprs().for_each(&mut add);
             graph.children(node).flat_map(|(arg, _)| arg.exprs()).for_each(&mut add);
         }
-        graph.constants.iter().for_each(|constant| add(&constant.value));
+        used_constants(graph).into_iter().for_each(|at| add(&graph.constants[at].value));
         Code { operation: libm::log2(graph.len() as f64), thing: libm::log2(things.len().max(2) as f64) }
     }
 
@@ -233,5 +252,7 @@ mod tests {
         let other = "a --> split(x){ 1 : split(y){ 1 : I(stone) | ~1 : nil } | ~1 : split(y){ 2 : I(stone) | ~1 : nil } }";
         assert!(bits(other) > bits(named) + 10.0);
         assert_eq!(bits(named), bits(&format!("size(randint(3, 9), 3, 1)\n{named}")));
+        let lifted = named.replace("stone", "rock");
+        assert_eq!(bits(named), bits(&format!("size(3, floors, 1)\nfloors = 3\nrock = stone\n{lifted}")));
     }
 }

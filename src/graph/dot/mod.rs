@@ -290,6 +290,7 @@ fn block_of(graph: &OpGraph, expr: &Expr) -> Option<BlockState> {
     match expr {
         Expr::Constant(at) => block_of(graph, &graph.constants.get(*at)?.value),
         Expr::Thing(thing) => thing.block(),
+        Expr::State(base, _) => block_of(graph, base),
         _ => None,
     }
 }

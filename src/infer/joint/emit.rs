@@ -11,7 +11,7 @@ use crate::grammar::ast::BinaryOp;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize};
 use crate::infer::emit::{block_expr, data_version, sizes};
 use crate::infer::example::{Example, Terminal, Terminals};
-use crate::infer::{Labels, Learnt, Method, naming};
+use crate::infer::{Labels, Learnt, Method, Notes};
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,14 +52,11 @@ pub fn emit(
         builder: Builder::default(),
         nodes: FxHashMap::default(),
     };
-    let mut places = naming::Places::new();
     let mut made: BTreeMap<NodeIndex, Vec<NodeId>> = BTreeMap::new();
     for (id, boxes) in all.iter().rev() {
         let node = emitter.node(*id, boxes);
         emitter.nodes.insert(*id, node);
         made.entry(node).or_default().push(*id);
-        let place = emitter.corpus.profile(boxes.first()).place;
-        places.insert(node, (place.example as usize, place.bounds));
     }
     let node = emitter.nodes[&root];
     let (mut graph, kept) = emitter.builder.finish(node);
@@ -68,9 +65,8 @@ pub fn emit(
         _ => between(emitter.corpus, boxes, limits),
     };
     graph.data_version = data_version(examples);
-    naming::name(&mut graph, &naming::renumbered(places, &kept), examples);
     let nodes = made.into_iter().filter_map(|(node, ids)| Some((*kept.get(&node)?, ids))).collect();
-    let learnt = Learnt { graph, labels: Labels::new(), by: Method::Joint };
+    let learnt = Learnt { graph, labels: Labels::new(), by: Method::Joint, notes: Notes::default() };
     Emitted { learnt, nodes, root, boxes: all.into_iter().collect() }
 }
 

@@ -12,7 +12,6 @@ use ndarray::{Array3, s};
 /// A box of an example with what it can hold.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Site {
-    pub example: usize,
     pub bounds: Bounds,
     /// What it holds in the example, then what it can hold instead; each indexed `[y, z, x]`, with the number of
     /// examples that show it there.
@@ -135,7 +134,7 @@ fn site(shown: &Shown, example: usize, bounds: Bounds, swaps: &[Swap]) -> Site {
         let count = count(&content).max(1) as u32;
         (content, count)
     });
-    Site { example, bounds, contents: contents.collect() }
+    Site { bounds, contents: contents.collect() }
 }
 
 fn cut(cells: &Array3<u32>, bounds: Bounds) -> Array3<u32> {
