@@ -82,6 +82,13 @@ impl<'c> Explainer<'c> {
         self.kept.contains(boxes)
     }
 
+    /// The bits that one description of both is estimated to save.
+    pub fn saved(&mut self, boxes: &[Boxes; 2]) -> f64 {
+        let both = Boxes::union(boxes);
+        let [one, other] = boxes.each_ref().map(|own| self.estimates.bits(self.corpus, own));
+        one + other - self.estimates.bits(self.corpus, &both)
+    }
+
     /// The node that describes all `boxes`.
     pub fn explain(&mut self, boxes: &Boxes, search: Search) -> NodeId {
         let key = (boxes.clone(), search);
@@ -281,20 +288,12 @@ impl<'c> Explainer<'c> {
     }
 
     fn choose(&mut self, groups: &[Boxes], search: Search) -> NodeId {
-        let children: Vec<NodeId> = groups.iter().map(|group| self.explain(group, search)).collect();
-        let mut distinct: Vec<NodeId> = Vec::new();
-        let mut how = Vec::new();
-        for (group, child) in groups.iter().zip(&children) {
-            let number = distinct.iter().position(|known| known == child).unwrap_or_else(|| {
-                distinct.push(*child);
-                distinct.len() - 1
-            });
-            how.extend(group.classes().map(|class| (class, How::Choose(number))));
+        let mut of = Vec::new();
+        for group in groups {
+            let child = self.explain(group, search);
+            of.extend(group.classes().map(|class| (class, child)));
         }
-        match distinct.as_slice() {
-            [only] => *only,
-            _ => self.plan.add(Form::Choose(distinct), how),
-        }
+        self.plan.choose(of)
     }
 }
 

@@ -82,7 +82,7 @@ pub fn materials(corpus: &mut Corpus, class: Class) -> u64 {
     hash(&terminals(corpus, class))
 }
 
-fn terminals(corpus: &Corpus, class: Class) -> BTreeSet<u32> {
+pub fn terminals(corpus: &Corpus, class: Class) -> BTreeSet<u32> {
     let profile = corpus.profile(class);
     let (place, starts) = (profile.place, &profile.starts);
     let volume = corpus.volume(place);

@@ -17,6 +17,7 @@ mod groups;
 mod laws;
 mod plan;
 mod planes;
+mod pool;
 mod repeats;
 mod samples;
 mod seams;
@@ -47,7 +48,7 @@ const LONGEST: i32 = 128;
 /// the neighbours of blocks decide.
 ///
 /// Where samples show what no example shows, the boxes that were mixed there are kept apart, and all is explained
-/// again. `None` where no operation describes two examples, or where to find it would take too long.
+/// again. Once they do not, rules that are one become one, if they still do not. `None` where no operation describes two examples, or where to find it would take too long.
 pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<Learnt> {
     let cells: u64 = examples.iter().map(|grid| grid.bounds().volume()).sum();
     let is_long = |grid: &&Grid| grid.size().max_element() > LONGEST;
@@ -71,7 +72,14 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
             Freedom::Free => BTreeSet::new(),
         };
         if blamed.is_empty() {
-            return Some(emitted.learnt);
+            let holds = |explainer: &mut Explainer<'_>, root| {
+                let emitted = emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open);
+                freedom == Freedom::Free || shown.is_like(&emitted.learnt.graph)
+            };
+            let root = pool::pooled(&mut explainer, root, &boxes, Search(AHEAD), holds);
+            return Some(
+                emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open).learnt,
+            );
         }
         if !keep_apart(&mut explainer, &emitted, &blamed) {
             return None;

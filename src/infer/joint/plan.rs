@@ -72,6 +72,23 @@ impl Plan {
         id
     }
 
+    /// The choice between nodes, one for each class; the only one if they are the same.
+    pub fn choose(&mut self, of: Vec<(Class, NodeId)>) -> NodeId {
+        let mut distinct: Vec<NodeId> = Vec::new();
+        let mut how = Vec::with_capacity(of.len());
+        for (class, child) in of {
+            let number = distinct.iter().position(|known| *known == child).unwrap_or_else(|| {
+                distinct.push(child);
+                distinct.len() - 1
+            });
+            how.push((class, How::Choose(number)));
+        }
+        match distinct.as_slice() {
+            [only] => *only,
+            _ => self.add(Form::Choose(distinct), how),
+        }
+    }
+
     /// Notes that a node was made for these boxes.
     pub fn note(&mut self, id: NodeId, boxes: &Boxes) {
         let made_for = &mut self.nodes[id.0 as usize].made_for;
@@ -133,7 +150,8 @@ struct Shapes {
 impl Shapes {
     /// Whether a node, whose children were added before, is the first of its shape.
     fn add(&mut self, plan: &Plan, id: NodeId) -> bool {
-        let mut children: Vec<u32> = plan.children(id).iter().map(|child| self.of[child]).collect();
+        let mut children: Vec<u32> =
+            plan.children(id).iter().filter_map(|child| self.of.get(child).copied()).collect();
         let kind = match &plan.node(id).form {
             Form::Fill(terminal) => {
                 children.push(*terminal);
@@ -229,7 +247,8 @@ pub fn occurrences(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes
     order.reverse();
     let mut all = Vec::with_capacity(order.len());
     for id in order {
-        let boxes = Boxes::of(found.remove(&id).unwrap_or_default());
+        // An alternative that was made for other boxes may be taken by none of these.
+        let Some(boxes) = found.remove(&id).map(Boxes::of) else { continue };
         for (class, count) in boxes.iter() {
             for (child, part) in inside(plan, corpus, id, class) {
                 found.entry(child).or_default().push((part, count));

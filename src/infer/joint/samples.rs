@@ -38,6 +38,11 @@ impl Shown {
         (0..SAMPLES).flat_map(|seed| self.blamed_in(graph, seed)).collect()
     }
 
+    /// Whether nothing goes wrong in samples.
+    pub fn is_like(&mut self, graph: &OpGraph) -> bool {
+        (0..SAMPLES).all(|seed| self.blamed_in(graph, seed).is_empty())
+    }
+
     fn blamed_in(&mut self, graph: &OpGraph, seed: u64) -> BTreeSet<Vec<NodeIndex>> {
         let options = Options { seed, ..Options::default() };
         let mut steps = Steps { graph, taken: Vec::new(), last: None };
