@@ -16,10 +16,6 @@ impl Boxes {
         Boxes(counts.into_iter().collect())
     }
 
-    pub fn union(all: &[Boxes]) -> Boxes {
-        Boxes::of(all.iter().flat_map(Boxes::iter))
-    }
-
     pub fn classes(&self) -> impl Iterator<Item = Class> + Clone + '_ {
         self.0.iter().map(|(class, _)| *class)
     }

@@ -3,15 +3,17 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::{Estimates, REPEAT};
+use super::estimate::{ALTERNATIVE, Estimates, REPEAT, choice};
 use super::groups::groupings;
 use super::laws::{Law, Seen, fitted};
 use super::plan::{self, Form, How, NodeId, Plan};
 use super::planes::{Plane, planes};
+use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
+use std::collections::BTreeMap;
 
 /// What is known while examples are explained.
 pub struct Explainer<'c> {
@@ -57,7 +59,10 @@ impl<'c> Explainer<'c> {
     /// Whether a node is a choice between several boxes that share nothing.
     pub fn tells_all_apart(&self, node: NodeId, boxes: &Boxes) -> bool {
         match &self.plan.node(node).form {
-            Form::Choose(children) => children.len() == boxes.kinds(),
+            Form::Choose(children) => {
+                let is_call = |child: &NodeId| matches!(self.plan.node(*child).form, Form::Call { .. });
+                children.len() == boxes.kinds() && !children.iter().any(is_call)
+            }
             _ => false,
         }
     }
@@ -82,11 +87,43 @@ impl<'c> Explainer<'c> {
         self.kept.contains(boxes)
     }
 
-    /// The bits that one description of both is estimated to save.
-    pub fn saved(&mut self, boxes: &[Boxes; 2]) -> f64 {
-        let both = Boxes::union(boxes);
-        let [one, other] = boxes.each_ref().map(|own| self.estimates.bits(self.corpus, own));
-        one + other - self.estimates.bits(self.corpus, &both)
+    /// The bits of one description of all boxes, before it is searched for.
+    pub fn estimate(&mut self, boxes: &Boxes) -> f64 {
+        self.estimates.bits(self.corpus, boxes)
+    }
+
+    /// The bits of one description in several materials, before it is searched for.
+    pub fn estimate_calls(&mut self, recolouring: &Recolouring) -> f64 {
+        let counts: Vec<u32> = recolouring.groups.iter().map(Recoloured::count).collect();
+        let call = CALL + ARGUMENT * recolouring.parameters.len() as f64;
+        let calls = (ALTERNATIVE + call) * counts.len() as f64 + choice(counts.iter());
+        calls + self.estimate(&recolouring.boxes())
+    }
+
+    /// The node that describes whole examples: as they are, or with parameters for their materials where that is
+    /// shorter.
+    pub fn explain_examples(&mut self, boxes: &Boxes, search: Search) -> NodeId {
+        let plain = self.explain(boxes, search);
+        let recolouring = (!self.is_kept(boxes)).then(|| Recolouring::of(self.corpus, boxes)).flatten();
+        let Some(recolouring) = recolouring else { return plain };
+        let calls = self.calls(&recolouring, search);
+        let called = self.plan.choose(calls.into_iter().collect());
+        self.plan.note(called, boxes);
+        let bits = [plain, called].map(|node| plan::bits(&self.plan, self.corpus, node, boxes));
+        if bits[1] < bits[0] { called } else { plain }
+    }
+
+    /// Calls of one description with the materials of each class.
+    pub fn calls(&mut self, recolouring: &Recolouring, search: Search) -> BTreeMap<Class, NodeId> {
+        let child = self.explain(&recolouring.boxes(), search);
+        let mut calls = BTreeMap::new();
+        for group in &recolouring.groups {
+            let (parameters, arguments) = (recolouring.parameters.clone(), group.arguments.clone());
+            let how = group.classes.iter().map(|(class, other, _)| (*class, How::Call(*other)));
+            let call = self.plan.add(Form::Call { parameters, arguments, child }, how);
+            calls.extend(group.classes.iter().map(|(class, ..)| (*class, call)));
+        }
+        calls
     }
 
     /// The node that describes all `boxes`.
@@ -272,6 +309,7 @@ impl<'c> Explainer<'c> {
     /// Whether a node looks alike at any length.
     fn is_elastic(&self, node: NodeId, along: Axis) -> bool {
         match &self.plan.node(node).form {
+            Form::Call { child, .. } => self.is_elastic(*child, along),
             Form::Fill(_) => true,
             Form::Split { axis, parts } if *axis != along => {
                 parts.iter().all(|(_, child)| self.is_elastic(*child, along))

@@ -15,11 +15,15 @@ mod feasible;
 mod fold;
 mod groups;
 mod laws;
+mod merge;
 mod plan;
 mod planes;
 mod pool;
+mod recolour;
 mod repeats;
+mod replace;
 mod samples;
+mod scope;
 mod seams;
 mod volume;
 
@@ -62,7 +66,7 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
     let mut explainer = Explainer::new(&mut corpus);
     loop {
-        let root = explainer.explain(&boxes, Search(AHEAD));
+        let root = explainer.explain_examples(&boxes, Search(AHEAD));
         if explainer.is_spent() || explainer.tells_all_apart(root, &boxes) {
             return None;
         }
@@ -89,7 +93,8 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
 
 fn corpus(examples: &[&Grid], open: &[Example], terminals: &mut Terminals) -> Corpus {
     let cells = open.iter().filter_map(|example| example.cells(terminals));
-    Corpus::new(cells.zip(examples).map(|(cells, grid)| Volume::new(cells, &wholes(grid))).collect())
+    let volumes = cells.zip(examples).map(|(cells, grid)| Volume::new(cells, &wholes(grid))).collect();
+    Corpus::new(volumes, terminals.air())
 }
 
 /// Keeps apart what was mixed around each place that is to blame: the innermost boxes that are not kept apart yet.

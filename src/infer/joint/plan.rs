@@ -5,6 +5,7 @@ use super::corpus::{Class, Corpus};
 use super::dependence::dependence;
 use super::estimate::choice;
 use super::laws::{Law, integer};
+use super::recolour::{ARGUMENT, CALL};
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
@@ -27,6 +28,12 @@ pub enum Form {
         child: NodeId,
     },
     Choose(Vec<NodeId>),
+    /// The child with arguments for its parameters.
+    Call {
+        parameters: Vec<u32>,
+        arguments: Vec<u32>,
+        child: NodeId,
+    },
 }
 
 /// How a node describes the boxes of one class.
@@ -38,6 +45,8 @@ pub enum How {
     Repeat,
     /// The number of the alternative.
     Choose(usize),
+    /// The class with parameters.
+    Call(Class),
 }
 
 #[derive(Clone, Debug)]
@@ -101,7 +110,7 @@ impl Plan {
         match &self.node(id).form {
             Form::Fill(_) => Vec::new(),
             Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
-            Form::Repeat { child, .. } => vec![*child],
+            Form::Repeat { child, .. } | Form::Call { child, .. } => vec![*child],
             Form::Choose(children) => children.clone(),
         }
     }
@@ -159,6 +168,10 @@ impl Shapes {
             }
             Form::Split { axis, .. } => 1 + axis.index() as u8,
             Form::Repeat { axis, .. } => 4 + axis.index() as u8,
+            Form::Call { arguments, .. } => {
+                children.extend(arguments);
+                8
+            }
             Form::Choose(_) => {
                 children.sort_unstable();
                 children.dedup();
@@ -198,7 +211,7 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
 /// The bits of what a node leaves to chance.
 fn chance(node: &Node, corpus: &Corpus, boxes: &Boxes) -> f64 {
     match &node.form {
-        Form::Fill(_) | Form::Repeat { .. } => 0.0,
+        Form::Fill(_) | Form::Repeat { .. } | Form::Call { .. } => 0.0,
         Form::Split { axis, parts } => {
             let lengths = |number: usize| {
                 boxes.iter().filter_map(move |(class, count)| {
@@ -234,6 +247,7 @@ fn model(form: &Form, is_new: bool) -> f64 {
             (KIND + AXIS + integer(parts.len() as i32), parts.iter().map(|(law, _)| law.bits()).sum())
         }
         Form::Repeat { unit, .. } => (KIND + AXIS, integer(*unit)),
+        Form::Call { arguments, .. } => (CALL + ARGUMENT * arguments.len() as f64, 0.0),
         Form::Choose(children) => (KIND + integer(children.len() as i32) + 3.0 * children.len() as f64, 0.0),
     };
     if is_new { structure + sizes } else { KIND + sizes }
@@ -278,6 +292,7 @@ pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec
             let starts = (0..len).step_by(*unit as usize);
             starts.map(|at| (*child, corpus.part(class, *axis, at, at + unit))).collect()
         }
+        (Form::Call { child, .. }, Some(How::Call(class))) => vec![(*child, *class)],
         (Form::Choose(children), Some(How::Choose(number))) => vec![(children[*number], class)],
         _ => Vec::new(),
     }
