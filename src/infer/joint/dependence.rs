@@ -82,11 +82,31 @@ fn shared(one: &[u64], other: &[u64], counts: &[u32]) -> f64 {
         return 0.0;
     }
     let total: u32 = counts.iter().sum();
-    let mutual = ones.entropy() + others.entropy() - both.entropy();
     let is_one_to_one = a == b && a == joint && (2.0 * a <= f64::from(total) || total <= FEW);
-    // The Bayesian information criterion, in nats.
-    let is_told = mutual * std::f64::consts::LN_2 > (a - 1.0) * (b - 1.0) / 2.0 * f64::from(total).ln();
-    if is_one_to_one || is_told { PENALTY + mutual } else { 0.0 }
+    let mutual = ones.entropy() + others.entropy() - both.entropy();
+    if is_one_to_one || is_told(mutual, [a, b], total) { PENALTY + mutual } else { 0.0 }
+}
+
+/// Whether labels that are so many tell so many bits of one another that it is no chance, by the Bayesian
+/// information criterion, in nats.
+fn is_told(mutual: f64, labels: [f64; 2], total: u32) -> bool {
+    let [a, b] = labels;
+    a > 1.0
+        && b > 1.0
+        && mutual * std::f64::consts::LN_2 > (a - 1.0) * (b - 1.0) / 2.0 * f64::from(total).ln()
+}
+
+/// Whether one label tells of the other, given pairs of them with how often each occurs.
+pub fn tells(pairs: &[(u64, u64, u32)]) -> bool {
+    let (mut ones, mut others, mut both) = (Counts::default(), Counts::default(), Counts::default());
+    for (a, b, count) in pairs {
+        ones.add((*a, 0), *count);
+        others.add((0, *b), *count);
+        both.add((*a, *b), *count);
+    }
+    let mutual = ones.entropy() + others.entropy() - both.entropy();
+    let total = pairs.iter().map(|(.., count)| count).sum();
+    is_told(mutual, [&ones, &others].map(|counts| counts.0.len() as f64), total)
 }
 
 /// How often each label occurs.

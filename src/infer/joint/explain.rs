@@ -39,6 +39,9 @@ const SURE: usize = 8;
 const SLACK: f64 = 30.0;
 const SLACK_SHARE: f64 = 0.2;
 
+/// Bits of taking two parts for one rule, which is right where they share more than a few slices.
+const SHARED: f64 = 40.0;
+
 /// Boxes that are looked at before the search is cut short: a few seconds of work.
 const MOST_ASKED: u64 = 4_000_000;
 
@@ -217,7 +220,7 @@ impl<'c> Explainer<'c> {
         }
         for plane in planes(self.corpus, boxes) {
             let [left, right] = plane.halves(self.corpus, boxes);
-            let halves = self.estimates.bits(self.corpus, &left) + self.estimates.bits(self.corpus, &right);
+            let halves = self.halves(&left, &right);
             steps.push((plane.bits + halves, Step::Cut(plane)));
         }
         for period in Period::of(self.corpus, boxes) {
@@ -230,6 +233,15 @@ impl<'c> Explainer<'c> {
             }
         }
         steps
+    }
+
+    /// The estimate of what is on both sides of a plane, by itself or as one rule.
+    fn halves(&mut self, left: &Boxes, right: &Boxes) -> f64 {
+        let apart = self.estimate(left) + self.estimate(right);
+        match [left, right].iter().any(|half| half.fill(self.corpus).is_some()) {
+            true => apart,
+            false => apart.min(SHARED + self.estimate(&Boxes::of(left.iter().chain(right.iter())))),
+        }
     }
 
     fn cut(&mut self, boxes: &Boxes, plane: &Plane, search: Search) -> NodeId {

@@ -1,6 +1,7 @@
 //! Rules of a plan that may be one.
 
 use super::boxes::Boxes;
+use super::contexts::tell_apart;
 use super::corpus::Skeleton;
 use super::explain::{Explainer, Search};
 use super::groups::terminals;
@@ -43,6 +44,14 @@ impl Merge {
             }
             By::Materials(recolouring) => self.calls(explainer, recolouring, search),
         }
+    }
+
+    /// Whether the rules draw otherwise, one from the other.
+    pub fn depends_on_place(&self, explainer: &mut Explainer<'_>, search: Search) -> bool {
+        let By::Together(all) = &self.by else { return false };
+        let one = explainer.explain(all, search);
+        let places: Vec<&Boxes> = self.rules.iter().map(|(_, boxes)| boxes).collect();
+        tell_apart(&explainer.plan, explainer.corpus, one, &places)
     }
 
     /// Calls of one rule with the materials of each box.

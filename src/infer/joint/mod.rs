@@ -6,6 +6,7 @@
 //! ```
 
 mod boxes;
+mod contexts;
 mod corpus;
 mod dependence;
 mod emit;

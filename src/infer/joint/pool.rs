@@ -54,7 +54,8 @@ pub fn pooled(
                 return None;
             }
             let other = whole.merged(explainer, &merge, search);
-            (whole.bits - other.bits > least && holds(explainer, other.root)).then_some(other)
+            let is_better = whole.bits - other.bits > least && !merge.depends_on_place(explainer, search);
+            (is_better && holds(explainer, other.root)).then_some(other)
         });
         match better {
             Some(shorter) => whole = shorter,
