@@ -145,3 +145,17 @@ pub fn neighbours(corpus: &mut Corpus, boxes: &Boxes, period: Period) -> Vec<Row
     }
     rows
 }
+
+#[cfg(test)]
+mod tests {
+    use super::tells;
+
+    #[test]
+    fn labels_tell_of_one_another_where_so_many_boxes_agree() {
+        assert!(tells(&[(0, 7, 10), (1, 8, 10)]));
+        assert!(!tells(&[(0, 7, 10), (0, 8, 9), (1, 7, 9), (1, 8, 10)]));
+        // Of two boxes each is something else.
+        assert!(!tells(&[(0, 7, 1), (0, 8, 1), (1, 8, 1)]));
+        assert!(!tells(&[(0, 7, 30), (1, 7, 40)]));
+    }
+}

@@ -51,3 +51,22 @@ fn chosen(
     of.sort_unstable();
     of
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::infer::joint::laws::Law;
+    use crate::space::Axis;
+
+    #[test]
+    fn what_leads_to_a_node_leads_to_the_other_one_and_equal_alternatives_are_one() {
+        let mut plan = Plan::default();
+        let [stone, wood, brick] = [0, 1, 2].map(|terminal| plan.add(Form::Fill(terminal), []));
+        let choice = plan.choose(vec![(Class(0), stone), (Class(1), wood)]);
+        let parts = vec![(Law::Const(1), brick), (Law::Float(1), choice)];
+        let root = plan.add(Form::Split { axis: Axis::Y, parts }, []);
+        let other = replaced(&mut plan, root, &[(wood, stone)]);
+        assert_eq!(plan.children(other), [brick, stone]);
+        assert_eq!(replaced(&mut plan, root, &[(brick, brick)]), root);
+    }
+}
