@@ -7,6 +7,7 @@ use crate::grid::Content;
 use crate::space::{Axis, Bounds, Cell};
 use rustc_hash::{FxHashMap, FxHasher};
 use smallvec::SmallVec;
+use std::collections::BTreeMap;
 use std::hash::Hasher;
 use std::rc::Rc;
 
@@ -59,6 +60,13 @@ impl Profile {
     }
 }
 
+/// Terminals from this number on are parameters.
+const PARAMETER: u32 = 1 << 31;
+
+pub fn is_parameter(terminal: u32) -> bool {
+    terminal >= PARAMETER
+}
+
 /// All examples with what was asked about their boxes.
 #[derive(Debug)]
 pub struct Corpus {
@@ -79,15 +87,26 @@ pub struct Corpus {
     terminals: FxHashMap<Class, Rc<[u32]>>,
     seams: Seams,
     fits: FxHashMap<(Class, Class, Axis), bool>,
+    /// The number of air.
+    pub air: u32,
+    /// Where each volume that is no example was taken from, with other terminals, behind all examples.
+    origins: Vec<Place>,
+    recoloured: FxHashMap<(Class, BTreeMap<u32, u32>), Class>,
+    /// By what it stands for, the terminal of each parameter.
+    parameters: FxHashMap<Vec<u32>, u32>,
     /// How often it was asked for the part of a box: a measure of the work done.
     pub asked: u64,
 }
 
 impl Corpus {
-    pub fn new(volumes: Vec<Volume>) -> Corpus {
+    pub fn new(volumes: Vec<Volume>, air: u32) -> Corpus {
         Corpus {
             seams: Seams::of(&volumes),
             fits: FxHashMap::default(),
+            air,
+            origins: Vec::new(),
+            recoloured: FxHashMap::default(),
+            parameters: FxHashMap::default(),
             asked: 0,
             volumes,
             classes: FxHashMap::default(),
@@ -108,7 +127,8 @@ impl Corpus {
 
     /// The examples, whole.
     pub fn examples(&self) -> Vec<Place> {
-        let places = self.volumes.iter().zip(0..);
+        let examples = self.volumes.len() - self.origins.len();
+        let places = self.volumes[..examples].iter().zip(0..);
         places.map(|(volume, example)| Place { example, bounds: Bounds::of_size(volume.size()) }).collect()
     }
 
@@ -179,6 +199,67 @@ impl Corpus {
     /// Boxes that end in `last` never stand before boxes that begin with `first` any more; whether that is new.
     pub fn tear(&mut self, last: Class, first: Class, axis: Axis) -> bool {
         self.fits.insert((last, first, axis), false) != Some(false)
+    }
+
+    /// The class of a box with other terminals.
+    pub fn recoloured(&mut self, class: Class, map: &BTreeMap<u32, u32>) -> Class {
+        let key = (class, map.clone());
+        if let Some(&known) = self.recoloured.get(&key) {
+            return known;
+        }
+        let place = self.profile(class).place;
+        let other = |terminal| map.get(&terminal).copied().unwrap_or(terminal);
+        let volume = self.volume(place).recoloured(place.bounds, other);
+        self.asked += place.bounds.volume();
+        self.seams.add(&volume);
+        let bounds = Bounds::of_size(volume.size());
+        let example = self.volumes.len() as u32;
+        let origin = self.origin(place);
+        self.volumes.push(volume);
+        self.origins.push(origin);
+        let recoloured = self.class(Place { example, bounds });
+        self.recoloured.insert(key, recoloured);
+        recoloured
+    }
+
+    /// Where a box was in an example, before it had other terminals.
+    pub fn origin(&self, place: Place) -> Place {
+        let examples = self.volumes.len() - self.origins.len();
+        match (place.example as usize).checked_sub(examples).and_then(|number| self.origins.get(number)) {
+            Some(whole) => {
+                let Bounds { min, max } = place.bounds;
+                let bounds = Bounds::new(min + whole.bounds.min, max + whole.bounds.min);
+                Place { example: whole.example, bounds }
+            }
+            None => place,
+        }
+    }
+
+    /// The terminal of the parameter that stands for these terminals.
+    pub fn parameter(&mut self, stands_for: &[u32]) -> u32 {
+        let next = PARAMETER + self.parameters.len() as u32;
+        *self.parameters.entry(stands_for.to_vec()).or_insert(next)
+    }
+
+    /// The terminals of a class where slices differ, as numbers in the order in which they come, and that order.
+    pub fn pattern(&self, class: Class) -> (Vec<u32>, Vec<u32>) {
+        let Profile { place, starts, .. } = self.profile(class);
+        let volume = self.volume(*place);
+        let mut order: Vec<u32> = Vec::new();
+        let mut pattern: Vec<u32> = starts.iter().map(|starts| starts.len() as u32).collect();
+        for &y in &starts[1] {
+            for &z in &starts[2] {
+                for &x in &starts[0] {
+                    let terminal = volume.get(place.bounds.min + Cell::new(x, y, z));
+                    let number = order.iter().position(|known| *known == terminal);
+                    pattern.push(number.unwrap_or(order.len()) as u32);
+                    if number.is_none() {
+                        order.push(terminal);
+                    }
+                }
+            }
+        }
+        (pattern, order)
     }
 
     /// The skeletons of the slices across an axis, those left out that equal the one before.

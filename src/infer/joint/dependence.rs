@@ -107,12 +107,31 @@ fn shared(one: &[u64], other: &[u64], counts: &[u32], tries: f64) -> f64 {
         return 0.0;
     }
     let total: u32 = counts.iter().sum();
-    let mutual = ones.entropy() + others.entropy() - both.entropy();
     let is_one_to_one = a == b && a == joint && (2.0 * a <= f64::from(total) || total <= FEW);
-    // The Bayesian information criterion, in nats.
-    let is_told =
-        mutual * std::f64::consts::LN_2 > (a - 1.0) * (b - 1.0) / 2.0 * f64::from(total).ln() + tries;
+    let mutual = ones.entropy() + others.entropy() - both.entropy();
+    let is_told = is_told(mutual, [a, b], total, tries);
     if is_one_to_one || is_told { PENALTY + mutual } else { 0.0 }
+}
+
+/// Whether labels that are so many tell so many bits of one another that it is no chance, by the Bayesian
+/// information criterion, in nats; more so by `tries` where so much was tried.
+fn is_told(mutual: f64, labels: [f64; 2], total: u32, tries: f64) -> bool {
+    let [a, b] = labels;
+    let chance = (a - 1.0) * (b - 1.0) / 2.0 * f64::from(total).ln() + tries;
+    a > 1.0 && b > 1.0 && mutual * std::f64::consts::LN_2 > chance
+}
+
+/// Whether one label tells of the other, given pairs of them with how often each occurs.
+pub fn tells(pairs: &[(u64, u64, u32)]) -> bool {
+    let (mut ones, mut others, mut both) = (Counts::default(), Counts::default(), Counts::default());
+    for (a, b, count) in pairs {
+        ones.add((*a, 0), *count);
+        others.add((0, *b), *count);
+        both.add((*a, *b), *count);
+    }
+    let mutual = ones.entropy() + others.entropy() - both.entropy();
+    let total = pairs.iter().map(|(.., count)| count).sum();
+    is_told(mutual, [&ones, &others].map(|counts| counts.0.len() as f64), total, 0.0)
 }
 
 /// How often each label occurs.
@@ -183,4 +202,18 @@ pub fn units(corpus: &mut Corpus, boxes: &Boxes, period: Period) -> Vec<Row> {
         (starts.iter().map(unit).collect(), count)
     };
     boxes.iter().map(row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tells;
+
+    #[test]
+    fn labels_tell_of_one_another_where_so_many_boxes_agree() {
+        assert!(tells(&[(0, 7, 10), (1, 8, 10)]));
+        assert!(!tells(&[(0, 7, 10), (0, 8, 9), (1, 7, 9), (1, 8, 10)]));
+        // Of two boxes each is something else.
+        assert!(!tells(&[(0, 7, 1), (0, 8, 1), (1, 8, 1)]));
+        assert!(!tells(&[(0, 7, 30), (1, 7, 40)]));
+    }
 }

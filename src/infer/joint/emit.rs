@@ -1,12 +1,13 @@
 //! From a plan to an op graph.
 
 use super::boxes::Boxes;
-use super::corpus::Corpus;
+use super::corpus::{Corpus, is_parameter};
 use super::feasible::{Feasible, Lengths, feasible};
 use super::laws::Law;
 use super::limits::Limits;
 use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
 use super::repeats::gcd;
+use super::scope::{Scope, Within};
 use crate::grammar::ast::BinaryOp;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize};
 use crate::infer::emit::{block_expr, data_version, sizes};
@@ -49,6 +50,7 @@ pub fn emit(
         terminals,
         limits,
         feasible,
+        scope: Scope::of(plan, root),
         builder: Builder::default(),
         nodes: FxHashMap::default(),
     };
@@ -61,7 +63,7 @@ pub fn emit(
     let node = emitter.nodes[&root];
     let (mut graph, kept) = emitter.builder.finish(node);
     graph.sizes = match &plan.node(root).form {
-        Form::Choose(_) => sizes(examples),
+        Form::Choose(children) if !is_one(plan, children) => sizes(examples),
         _ => between(emitter.corpus, boxes, limits),
     };
     graph.data_version = data_version(examples);
@@ -74,6 +76,7 @@ struct Emitter<'p> {
     plan: &'p Plan,
     corpus: &'p Corpus,
     feasible: Feasible,
+    scope: Scope,
     terminals: &'p Terminals,
     limits: &'p Limits,
     builder: Builder,
@@ -86,28 +89,31 @@ impl Emitter<'_> {
         let node = self.plan.node(id);
         match &node.form {
             Form::Fill(terminal) => self.fill(*terminal),
-            Form::Split { axis, parts } => self.split(*axis, parts),
+            Form::Call { .. } => self.child(id, Within::rule(id)),
+            Form::Split { axis, parts } => self.split(id, *axis, parts),
             Form::Repeat { axis, unit, child } => {
                 let op =
                     Op::Repeat { axis: Expr::Axis(*axis), size: Expr::number(f64::from(*unit)), snap: None };
-                self.builder.node(op, vec![(Arg::None, self.nodes[child])])
+                let child = self.child(*child, Within::rule(id));
+                self.builder.node(op, vec![(Arg::None, child)])
             }
             Form::Choose(_) => {
                 let alternatives = alternatives(self.plan, id, boxes).unwrap_or_default();
-                self.choose(&alternatives, boxes)
+                self.choose(id, &alternatives, boxes)
             }
         }
     }
 
     /// A choice by how often each alternative was seen. One that cannot fill every box has a condition.
-    fn choose(&mut self, alternatives: &[(NodeId, Boxes)], boxes: &Boxes) -> NodeIndex {
+    fn choose(&mut self, id: NodeId, alternatives: &[(NodeId, Boxes)], boxes: &Boxes) -> NodeIndex {
         if let [(only, _)] = alternatives {
-            return self.nodes[only];
+            return self.child(*only, Within::rule(id));
         }
         let alternative = |(child, group): &(NodeId, Boxes)| {
             let condition = self.condition(*child, group, alternatives, boxes);
             let weight = Expr::number(f64::from(group.count()));
-            (Arg::Alternative(Alternative { condition, ..Alternative::plain(weight) }), self.nodes[child])
+            let child = self.child(*child, Within::rule(id));
+            (Arg::Alternative(Alternative { condition, ..Alternative::plain(weight) }), child)
         };
         let alternatives = alternatives.iter().map(alternative).collect();
         self.builder.node(Op::Choose, alternatives)
@@ -132,7 +138,52 @@ impl Emitter<'_> {
         axes.reduce(|left, right| binary(BinaryOp::And, left, right))
     }
 
+    /// A node as it stands within another: with what that one knows of for its parameters.
+    fn child(&mut self, id: NodeId, within: Within) -> NodeIndex {
+        let plan = self.plan;
+        match &plan.node(id).form {
+            Form::Fill(terminal) if is_parameter(*terminal) => {
+                let name = self.block(*terminal, within);
+                self.builder.primitive(name)
+            }
+            Form::Call { parameters, arguments, child } => {
+                let given = |parameter: &u32| {
+                    let number = parameters.iter().position(|own| own == parameter);
+                    number.map_or(*parameter, |number| arguments[number])
+                };
+                let free = self.scope.free(*child).iter().map(given).collect::<Vec<u32>>();
+                self.call(*child, free, within)
+            }
+            _ if self.scope.is_inline(id, within) => self.nodes[&id],
+            _ => self.call(id, self.scope.free(id).to_vec(), within),
+        }
+    }
+
+    fn call(&mut self, id: NodeId, arguments: Vec<u32>, within: Within) -> NodeIndex {
+        if arguments.is_empty() {
+            return self.nodes[&id];
+        }
+        let arguments = arguments.into_iter().map(|terminal| self.block(terminal, within)).collect();
+        self.builder.node(Op::Call(arguments), vec![(Arg::None, self.nodes[&id])])
+    }
+
+    /// A block, or the parameter that stands for it.
+    fn block(&self, terminal: u32, within: Within) -> Expr {
+        if is_parameter(terminal) {
+            let known = self.scope.free(within.rule);
+            return Expr::Param(within.drawn + known.binary_search(&terminal).unwrap_or(0));
+        }
+        match &self.terminals.list[terminal as usize] {
+            Terminal::Block(state) => block_expr(state),
+            Terminal::Label(label) => Expr::name(label.as_str()),
+        }
+    }
+
     fn fill(&mut self, terminal: u32) -> NodeIndex {
+        // A parameter is written where it is used.
+        if is_parameter(terminal) {
+            return self.builder.nil();
+        }
         match &self.terminals.list[terminal as usize] {
             Terminal::Block(state) if state.is_air() => self.builder.nil(),
             Terminal::Block(state) => self.builder.primitive(block_expr(state)),
@@ -141,7 +192,7 @@ impl Emitter<'_> {
     }
 
     /// A split; sizes that several parts share are parameters, drawn where it is called.
-    fn split(&mut self, axis: Axis, parts: &[(Law, NodeId)]) -> NodeIndex {
+    fn split(&mut self, id: NodeId, axis: Axis, parts: &[(Law, NodeId)]) -> NodeIndex {
         let mut shared: Vec<usize> = parts.iter().filter_map(|(law, _)| same_as(law)).collect();
         shared.sort_unstable();
         shared.dedup();
@@ -152,16 +203,28 @@ impl Emitter<'_> {
                 None => size_of(law),
             }
         };
-        let sized =
-            parts.iter().enumerate().map(|(number, (law, child))| (size(number, law), self.nodes[child]));
-        let sized = sized.collect();
+        let within = Within { rule: id, drawn: shared.len() };
+        let part =
+            |(number, (law, child)): (usize, &(Law, NodeId))| (size(number, law), self.child(*child, within));
+        let sized = parts.iter().enumerate().map(part).collect();
         let split = self.builder.split(Expr::Axis(axis), sized);
         if shared.is_empty() {
             return split;
         }
-        let drawn = shared.iter().map(|part| size_of(&parts[*part].0).value).collect();
-        self.builder.node(Op::Call(drawn), vec![(Arg::None, split)])
+        let drawn = shared.iter().map(|part| size_of(&parts[*part].0).value);
+        let handed = (0..self.scope.free(id).len()).map(Expr::Param);
+        self.builder.node(Op::Call(drawn.chain(handed).collect()), vec![(Arg::None, split)])
     }
+}
+
+/// Whether all that can be chosen is one rule.
+fn is_one(plan: &Plan, children: &[NodeId]) -> bool {
+    let called = |child: &NodeId| match &plan.node(*child).form {
+        Form::Call { child, .. } => Some(*child),
+        _ => None,
+    };
+    let first = children.first().and_then(called);
+    first.is_some() && children.iter().all(|child| called(child) == first)
 }
 
 fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {

@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 const ROW: f64 = 5.5;
 const RUN: f64 = 6.0;
 /// Bits of one more alternative.
-const ALTERNATIVE: f64 = 3.0;
+pub const ALTERNATIVE: f64 = 3.0;
 /// Bits of a size that is left free, beside its values.
 const FREE: f64 = 4.0;
 /// Bits of a repeat.

@@ -3,16 +3,18 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::{Estimates, REPEAT};
+use super::estimate::{ALTERNATIVE, Estimates, REPEAT, choice};
 use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
 use super::plan::{self, Form, How, NodeId, Plan};
 use super::planes::{Plane, Stands, planes};
+use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
+use std::collections::BTreeMap;
 
 /// What is known while examples are explained.
 pub struct Explainer<'c> {
@@ -38,6 +40,9 @@ const SURE: usize = 8;
 const SLACK: f64 = 30.0;
 const SLACK_SHARE: f64 = 0.2;
 
+/// Bits of taking two parts for one rule, which is right where they share more than a few slices.
+const SHARED: f64 = 40.0;
+
 /// Boxes that are looked at before the search is cut short: a few seconds of work.
 const MOST_ASKED: u64 = 4_000_000;
 /// Looking one step ahead takes about so many times as much as taking what is estimated best.
@@ -60,7 +65,10 @@ impl<'c> Explainer<'c> {
     /// Whether a node is a choice between several boxes that share nothing.
     pub fn tells_all_apart(&self, node: NodeId, boxes: &Boxes) -> bool {
         match &self.plan.node(node).form {
-            Form::Choose(children) => children.len() == boxes.kinds(),
+            Form::Choose(children) => {
+                let is_call = |child: &NodeId| matches!(self.plan.node(*child).form, Form::Call { .. });
+                children.len() == boxes.kinds() && !children.iter().any(is_call)
+            }
             _ => false,
         }
     }
@@ -95,12 +103,55 @@ impl<'c> Explainer<'c> {
     }
 
     /// All that was explained on the way to `boxes` and is part of how they are described, by its node.
-    pub fn in_use(&self, boxes: &Boxes, search: Search) -> FxHashMap<NodeId, Vec<Boxes>> {
-        self.memo.in_use(boxes, search)
+    pub fn in_use(&mut self, boxes: &Boxes, search: Search) -> FxHashMap<NodeId, Vec<Boxes>> {
+        let mut all = self.memo.in_use(boxes, search);
+        if let Some(recolouring) = Recolouring::of(self.corpus, boxes) {
+            let called = self.memo.in_use(&recolouring.boxes(), search);
+            called.into_iter().for_each(|(node, boxes)| all.entry(node).or_default().extend(boxes));
+        }
+        all
     }
 
     fn is_kept(&self, boxes: &Boxes) -> bool {
         self.kept.contains(boxes)
+    }
+
+    /// The bits of one description of all boxes, before it is searched for.
+    pub fn estimate(&mut self, boxes: &Boxes) -> f64 {
+        self.estimates.bits(self.corpus, boxes)
+    }
+
+    /// The bits of one description in several materials, before it is searched for.
+    pub fn estimate_calls(&mut self, recolouring: &Recolouring) -> f64 {
+        let counts: Vec<u32> = recolouring.groups.iter().map(Recoloured::count).collect();
+        let call = CALL + ARGUMENT * recolouring.parameters.len() as f64;
+        let calls = (ALTERNATIVE + call) * counts.len() as f64 + choice(counts.iter());
+        calls + self.estimate(&recolouring.boxes())
+    }
+
+    /// The node that describes whole examples: as they are, or with parameters for their materials where that is
+    /// shorter.
+    pub fn explain_examples(&mut self, boxes: &Boxes, search: Search) -> NodeId {
+        let plain = self.explain(boxes, search);
+        let recolouring = (!self.is_kept(boxes)).then(|| Recolouring::of(self.corpus, boxes)).flatten();
+        let Some(recolouring) = recolouring else { return plain };
+        let calls = self.calls(&recolouring, search);
+        let called = self.plan.choose(calls.into_iter().collect());
+        let bits = [plain, called].map(|node| plan::bits(&self.plan, self.corpus, node, boxes));
+        if bits[1] < bits[0] { called } else { plain }
+    }
+
+    /// Calls of one description with the materials of each class.
+    pub fn calls(&mut self, recolouring: &Recolouring, search: Search) -> BTreeMap<Class, NodeId> {
+        let child = self.explain(&recolouring.boxes(), search);
+        let mut calls = BTreeMap::new();
+        for group in &recolouring.groups {
+            let (parameters, arguments) = (recolouring.parameters.clone(), group.arguments.clone());
+            let how = group.classes.iter().map(|(class, other, _)| (*class, How::Call(*other)));
+            let call = self.plan.add(Form::Call { parameters, arguments, child }, how);
+            calls.extend(group.classes.iter().map(|(class, ..)| (*class, call)));
+        }
+        calls
     }
 
     /// The node that describes all `boxes`.
@@ -203,7 +254,7 @@ impl<'c> Explainer<'c> {
         }
         for plane in planes(self.corpus, boxes) {
             let [left, right] = plane.halves(self.corpus, boxes);
-            let halves = self.estimates.bits(self.corpus, &left) + self.estimates.bits(self.corpus, &right);
+            let halves = self.halves(&left, &right);
             steps.push((plane.bits + halves, Step::Cut(plane)));
         }
         for period in Period::of(self.corpus, boxes) {
@@ -216,6 +267,15 @@ impl<'c> Explainer<'c> {
             }
         }
         steps
+    }
+
+    /// The estimate of what is on both sides of a plane, by itself or as one rule.
+    fn halves(&mut self, left: &Boxes, right: &Boxes) -> f64 {
+        let apart = self.estimate(left) + self.estimate(right);
+        match [left, right].iter().any(|half| half.fill(self.corpus).is_some()) {
+            true => apart,
+            false => apart.min(SHARED + self.estimate(&Boxes::of(left.iter().chain(right.iter())))),
+        }
     }
 
     fn cut(&mut self, boxes: &Boxes, plane: &Plane, search: Search) -> NodeId {
@@ -295,6 +355,7 @@ impl<'c> Explainer<'c> {
     /// How a node takes to other lengths.
     fn stretch(&self, node: NodeId, along: Axis) -> Stretch {
         match &self.plan.node(node).form {
+            Form::Call { child, .. } => self.stretch(*child, along),
             Form::Fill(_) => Stretch::Alike,
             Form::Split { axis, parts } if *axis != along => {
                 parts.iter().map(|(_, child)| self.stretch(*child, along)).max().unwrap_or(Stretch::Stiff)
@@ -316,20 +377,12 @@ impl<'c> Explainer<'c> {
     }
 
     fn choose(&mut self, groups: &[Boxes], search: Search) -> NodeId {
-        let children: Vec<NodeId> = groups.iter().map(|group| self.explain(group, search)).collect();
-        let mut distinct: Vec<NodeId> = Vec::new();
-        let mut how = Vec::new();
-        for (group, child) in groups.iter().zip(&children) {
-            let number = distinct.iter().position(|known| known == child).unwrap_or_else(|| {
-                distinct.push(*child);
-                distinct.len() - 1
-            });
-            how.extend(group.classes().map(|class| (class, How::Choose(number))));
+        let mut of = Vec::new();
+        for group in groups {
+            let child = self.explain(group, search);
+            of.extend(group.classes().map(|class| (class, child)));
         }
-        match distinct.as_slice() {
-            [only] => *only,
-            _ => self.plan.add(Form::Choose(distinct), how),
-        }
+        self.plan.choose(of)
     }
 }
 

@@ -71,7 +71,7 @@ fn along(plan: &Plan, known: &Feasible, id: NodeId, along: Axis) -> Lengths {
             true => Lengths::of((1..=Lengths::LONGEST / unit).map(|count| count * unit)),
             false => Lengths::of([]),
         },
-        Form::Split { .. } | Form::Repeat { .. } => {
+        Form::Split { .. } | Form::Repeat { .. } | Form::Call { .. } => {
             plan.children(id).iter().map(of).fold(Lengths::ALL, Lengths::and)
         }
         Form::Choose(children) => children.iter().map(of).fold(Lengths::of([]), Lengths::or),

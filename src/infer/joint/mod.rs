@@ -7,6 +7,7 @@
 
 mod blame;
 mod boxes;
+mod contexts;
 mod corpus;
 mod dependence;
 mod derivation;
@@ -19,10 +20,15 @@ mod groups;
 mod laws;
 mod limits;
 mod memo;
+mod merge;
 mod plan;
 mod planes;
+mod pool;
+mod recolour;
 mod repeats;
+mod replace;
 mod samples;
+mod scope;
 mod seams;
 mod volume;
 
@@ -51,7 +57,9 @@ const LONGEST: i32 = 128;
 /// Learns one op graph from several examples of blocks, none of them empty. `open` are the examples without what
 /// the neighbours of blocks decide.
 ///
-/// Where samples show what no example shows, what is to blame is repaired, and what that touches is explained again. `None` where no operation describes two examples, or where to find it would take too long.
+/// Where samples show what no example shows, what is to blame is repaired, and what that touches is explained again;
+/// once they do not, rules that are one become one, if they still do not. `None` where no operation describes two
+/// examples, or where to find it would take too long.
 pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<Learnt> {
     let cells: u64 = examples.iter().map(|grid| grid.bounds().volume()).sum();
     let is_long = |grid: &&Grid| grid.size().max_element() > LONGEST;
@@ -70,7 +78,7 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
         return None;
     }
     for _ in 0..ROUNDS {
-        let root = explainer.explain(&boxes, Search(AHEAD));
+        let root = explainer.explain_examples(&boxes, Search(AHEAD));
         if explainer.is_spent() || explainer.tells_all_apart(root, &boxes) {
             return None;
         }
@@ -80,6 +88,14 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
             Freedom::Free => Vec::new(),
         };
         if faults.is_empty() {
+            let holds = |explainer: &mut Explainer<'_>, root| {
+                let emitted =
+                    emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
+                freedom == Freedom::Free || shown.is_like(&emitted.learnt.graph)
+            };
+            let root = pool::pooled(&mut explainer, root, &boxes, Search(AHEAD), holds);
+            let emitted =
+                emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
             return Some(emitted.learnt);
         }
         let made_for = explainer.in_use(&boxes, Search(AHEAD));
@@ -131,7 +147,8 @@ fn make(explainer: &mut Explainer<'_>, limits: &mut Limits, repair: &Repair) -> 
 
 fn corpus(examples: &[&Grid], open: &[Example], terminals: &mut Terminals) -> Corpus {
     let cells = open.iter().filter_map(|example| example.cells(terminals));
-    Corpus::new(cells.zip(examples).map(|(cells, grid)| Volume::new(cells, &wholes(grid))).collect())
+    let volumes = cells.zip(examples).map(|(cells, grid)| Volume::new(cells, &wholes(grid))).collect();
+    Corpus::new(volumes, terminals.air())
 }
 
 /// The first halves of doors, beds and the like, with the axis on which the second one stands.

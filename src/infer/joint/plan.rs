@@ -5,6 +5,7 @@ use super::corpus::{Class, Corpus};
 use super::dependence;
 use super::estimate::choice;
 use super::laws::{Law, integer};
+use super::recolour::{ARGUMENT, CALL};
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
@@ -27,6 +28,12 @@ pub enum Form {
         child: NodeId,
     },
     Choose(Vec<NodeId>),
+    /// The child with arguments for its parameters.
+    Call {
+        parameters: Vec<u32>,
+        arguments: Vec<u32>,
+        child: NodeId,
+    },
 }
 
 /// How a node describes the boxes of one class.
@@ -38,6 +45,8 @@ pub enum How {
     Repeat,
     /// The number of the alternative.
     Choose(usize),
+    /// The class with parameters.
+    Call(Class),
 }
 
 #[derive(Clone, Debug)]
@@ -70,11 +79,28 @@ impl Plan {
         id
     }
 
+    /// The choice between nodes, one for each class; the only one if they are the same.
+    pub fn choose(&mut self, of: Vec<(Class, NodeId)>) -> NodeId {
+        let mut distinct: Vec<NodeId> = Vec::new();
+        let mut how = Vec::with_capacity(of.len());
+        for (class, child) in of {
+            let number = distinct.iter().position(|known| *known == child).unwrap_or_else(|| {
+                distinct.push(child);
+                distinct.len() - 1
+            });
+            how.push((class, How::Choose(number)));
+        }
+        match distinct.as_slice() {
+            [only] => *only,
+            _ => self.add(Form::Choose(distinct), how),
+        }
+    }
+
     pub fn children(&self, id: NodeId) -> Vec<NodeId> {
         match &self.node(id).form {
             Form::Fill(_) => Vec::new(),
             Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
-            Form::Repeat { child, .. } => vec![*child],
+            Form::Repeat { child, .. } | Form::Call { child, .. } => vec![*child],
             Form::Choose(children) => children.clone(),
         }
     }
@@ -123,7 +149,8 @@ struct Shapes {
 impl Shapes {
     /// Whether a node, whose children were added before, is the first of its shape.
     fn add(&mut self, plan: &Plan, id: NodeId) -> bool {
-        let mut children: Vec<u32> = plan.children(id).iter().map(|child| self.of[child]).collect();
+        let mut children: Vec<u32> =
+            plan.children(id).iter().filter_map(|child| self.of.get(child).copied()).collect();
         let kind = match &plan.node(id).form {
             Form::Fill(terminal) => {
                 children.push(*terminal);
@@ -131,6 +158,10 @@ impl Shapes {
             }
             Form::Split { axis, .. } => 1 + axis.index() as u8,
             Form::Repeat { axis, .. } => 4 + axis.index() as u8,
+            Form::Call { arguments, .. } => {
+                children.extend(arguments);
+                8
+            }
             Form::Choose(_) => {
                 children.sort_unstable();
                 children.dedup();
@@ -161,14 +192,14 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
             let rows = rows();
             dependence::of_units(corpus, &rows, *axis)
         }
-        Form::Fill(_) | Form::Choose(_) => 0.0,
+        Form::Fill(_) | Form::Choose(_) | Form::Call { .. } => 0.0,
     }
 }
 
 /// The bits of what a node leaves to chance.
 fn chance(node: &Node, corpus: &Corpus, boxes: &Boxes) -> f64 {
     match &node.form {
-        Form::Fill(_) | Form::Repeat { .. } => 0.0,
+        Form::Fill(_) | Form::Repeat { .. } | Form::Call { .. } => 0.0,
         Form::Split { axis, parts } => {
             let lengths = |number: usize| {
                 boxes.iter().filter_map(move |(class, count)| {
@@ -204,6 +235,7 @@ fn model(form: &Form, is_new: bool) -> f64 {
             (KIND + AXIS + integer(parts.len() as i32), parts.iter().map(|(law, _)| law.bits()).sum())
         }
         Form::Repeat { unit, .. } => (KIND + AXIS, integer(*unit)),
+        Form::Call { arguments, .. } => (CALL + ARGUMENT * arguments.len() as f64, 0.0),
         Form::Choose(children) => (KIND + integer(children.len() as i32) + 3.0 * children.len() as f64, 0.0),
     };
     if is_new { structure + sizes } else { KIND + sizes }
@@ -217,7 +249,8 @@ pub fn occurrences(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes
     order.reverse();
     let mut all = Vec::with_capacity(order.len());
     for id in order {
-        let boxes = Boxes::of(found.remove(&id).unwrap_or_default());
+        // An alternative that was made for other boxes may be taken by none of these.
+        let Some(boxes) = found.remove(&id).map(Boxes::of) else { continue };
         for (class, count) in boxes.iter() {
             for (child, part) in inside(plan, corpus, id, class) {
                 found.entry(child).or_default().push((part, count));
@@ -261,6 +294,7 @@ pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec
             let starts = (0..len).step_by(*unit as usize);
             starts.map(|at| (*child, corpus.part(class, *axis, at, at + unit))).collect()
         }
+        (Form::Call { child, .. }, Some(How::Call(class))) => vec![(*child, *class)],
         (Form::Choose(children), Some(How::Choose(number))) => vec![(children[*number], class)],
         _ => Vec::new(),
     }

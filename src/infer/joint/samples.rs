@@ -6,7 +6,7 @@ use crate::graph::OpGraph;
 use crate::grid::Grid;
 use crate::infer::example::{Example, Terminals};
 use crate::neighbours::settle;
-use crate::run::{Library, Options, run_observed};
+use crate::run::{Library, Options, run, run_observed};
 use crate::space::{Bounds, Cell};
 use ndarray::Array3;
 use rustc_hash::FxHashSet;
@@ -72,6 +72,16 @@ impl Shown {
             faults.extend(fault.map(|fault| Faulty { derivation, fault }));
         }
         faults
+    }
+
+    /// Whether nothing goes wrong in samples.
+    pub fn is_like(&self, graph: &OpGraph) -> bool {
+        let mut own = self.terminals.clone();
+        (0..SAMPLES).all(|seed| {
+            let made = run(graph, &Library::new(), &Options { seed, ..Options::default() });
+            let windows = made.map(|made| around(&Example::Blocks(made.made), &mut own));
+            windows.is_ok_and(|windows| windows.iter().all(|(_, window)| self.windows.contains(window)))
+        })
     }
 
     fn unseen(

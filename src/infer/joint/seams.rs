@@ -11,15 +11,18 @@ pub struct Seams(FxHashSet<u64>);
 
 impl Seams {
     pub fn of(volumes: &[Volume]) -> Seams {
-        let mut seen = FxHashSet::default();
-        for volume in volumes {
-            for shape in shapes() {
-                let starts = Bounds::of_size(volume.size() - shape + Cell::ONE);
-                let windows = starts.cells().map(|at| window(shape, |step| volume.get(at + step)));
-                seen.extend(windows);
-            }
+        let mut seams = Seams(FxHashSet::default());
+        volumes.iter().for_each(|volume| seams.add(volume));
+        seams
+    }
+
+    /// Takes what a volume shows for seen.
+    pub fn add(&mut self, volume: &Volume) {
+        for shape in shapes() {
+            let starts = Bounds::of_size(volume.size() - shape + Cell::ONE);
+            let windows = starts.cells().map(|at| window(shape, |step| volume.get(at + step)));
+            self.0.extend(windows);
         }
-        Seams(seen)
     }
 
     /// Whether the last slice of `left` and the first of `right` show only what the examples show. Both have the

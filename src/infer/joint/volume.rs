@@ -11,20 +11,33 @@ pub struct Volume {
     contents: BoxHashes,
     /// By axis: how many wholes of two blocks lie across each face to the next cell, as prefix sums.
     bonds: [Array3<u32>; 3],
+    wholes: Vec<(Axis, Cell)>,
 }
 
 impl Volume {
-    /// Of cells indexed `[y, z, x]`; `bonds` are the cells whose other half is the next one on the axis.
-    pub fn new(cells: Array3<u32>, bonds: &[(Axis, Cell)]) -> Volume {
+    /// Of cells indexed `[y, z, x]`; `wholes` are the cells whose other half is the next one on the axis.
+    pub fn new(cells: Array3<u32>, wholes: &[(Axis, Cell)]) -> Volume {
         let (y, z, x) = cells.dim();
         let contents = BoxHashes::new(Cell::new(x as i32, y as i32, z as i32), cells.iter().copied());
         let bonds = Axis::ALL.map(|axis| {
             let mut across = Array3::<u32>::zeros(cells.dim());
-            let own = bonds.iter().filter(|(other, _)| *other == axis);
+            let own = wholes.iter().filter(|(other, _)| *other == axis);
             own.for_each(|(_, at)| across[index(*at)] = 1);
             prefix_sums(&across)
         });
-        Volume { cells, contents, bonds }
+        Volume { cells, contents, bonds, wholes: wholes.to_vec() }
+    }
+
+    /// A box of it with other terminals.
+    pub fn recoloured(&self, bounds: Bounds, terminal: impl Fn(u32) -> u32) -> Volume {
+        let [x, y, z] = bounds.size().to_array().map(|len| len as usize);
+        let cells = bounds.cells().map(|cell| terminal(self.get(cell))).collect();
+        let cells = Array3::from_shape_vec((y, z, x), cells).unwrap_or_default();
+        let inside =
+            |(axis, at): &&(Axis, Cell)| bounds.contains(*at) && axis.of(*at) + 1 < axis.of(bounds.max);
+        let wholes: Vec<(Axis, Cell)> =
+            self.wholes.iter().filter(inside).map(|(axis, at)| (*axis, *at - bounds.min)).collect();
+        Volume::new(cells, &wholes)
     }
 
     pub fn size(&self) -> Cell {

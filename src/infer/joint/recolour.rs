@@ -1,0 +1,206 @@
+//! Boxes that are the same in other materials: one description, whose blocks are parameters.
+
+use super::boxes::Boxes;
+use super::corpus::{Class, Corpus};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// So many groups of boxes are told apart by their materials, of so many blocks of their own at the most.
+const MOST_GROUPS: usize = 8;
+const MOST_OWN: usize = 8;
+/// Bits of a call, and of each block that it hands over.
+pub const CALL: f64 = 4.0;
+pub const ARGUMENT: f64 = 6.0;
+
+/// Boxes in their own materials.
+#[derive(Clone, Debug)]
+pub struct Recoloured {
+    /// What stands for each parameter in these boxes.
+    pub arguments: Vec<u32>,
+    /// Every class with the one that has parameters in its place.
+    pub classes: Vec<(Class, Class, u32)>,
+}
+
+impl Recoloured {
+    /// The boxes with parameters for blocks.
+    fn boxes(&self) -> impl Iterator<Item = (Class, u32)> {
+        self.classes.iter().map(|(_, class, count)| (*class, *count))
+    }
+
+    pub fn count(&self) -> u32 {
+        self.classes.iter().map(|(.., count)| count).sum()
+    }
+}
+
+/// Groups of boxes that differ in their materials.
+#[derive(Clone, Debug)]
+pub struct Recolouring {
+    /// The terminals that stand for the parameters.
+    pub parameters: Vec<u32>,
+    pub groups: Vec<Recoloured>,
+}
+
+impl Recolouring {
+    /// Of boxes that are made of so many kinds of blocks; the other blocks are equal in all of them.
+    pub fn of(corpus: &mut Corpus, boxes: &Boxes) -> Option<Recolouring> {
+        let groups = groups(corpus, boxes)?;
+        let maps = maps(corpus, &groups)?;
+        let columns = columns(&groups, &maps);
+        if columns.is_empty() {
+            return None;
+        }
+        let parameters: Vec<u32> = columns.iter().map(|column| corpus.parameter(column)).collect();
+        let groups = groups.iter().enumerate().map(|(number, group)| {
+            let arguments: Vec<u32> = columns.iter().map(|column| column[number]).collect();
+            let map: BTreeMap<u32, u32> = arguments.iter().copied().zip(parameters.iter().copied()).collect();
+            let recoloured =
+                |(class, count): &(Class, u32)| (*class, corpus.recoloured(*class, &map), *count);
+            Recoloured { classes: group.classes.iter().map(recoloured).collect(), arguments }
+        });
+        Some(Recolouring { groups: groups.collect(), parameters })
+    }
+
+    /// All boxes with parameters for blocks.
+    pub fn boxes(&self) -> Boxes {
+        Boxes::of(self.groups.iter().flat_map(Recoloured::boxes))
+    }
+}
+
+/// Boxes of some materials.
+struct Group {
+    terminals: BTreeSet<u32>,
+    classes: Vec<(Class, u32)>,
+}
+
+impl Group {
+    /// The blocks that not all groups have.
+    fn own(&self, common: &BTreeSet<u32>) -> BTreeSet<u32> {
+        self.terminals.difference(common).copied().collect()
+    }
+}
+
+/// The boxes by their materials, each with those that have some of them only.
+fn groups(corpus: &mut Corpus, boxes: &Boxes) -> Option<Vec<Group>> {
+    let mut by: BTreeMap<BTreeSet<u32>, Vec<(Class, u32)>> = BTreeMap::new();
+    for (class, count) in boxes.iter() {
+        by.entry(corpus.terminals(class).iter().copied().collect()).or_default().push((class, count));
+    }
+    let mut sets: Vec<BTreeSet<u32>> = by.keys().cloned().collect();
+    sets.sort_by_key(|set| std::cmp::Reverse(set.len()));
+    let mut groups: Vec<Group> = Vec::new();
+    for set in sets {
+        let classes = by.remove(&set).unwrap_or_default();
+        match groups.iter_mut().find(|group| group.terminals.is_superset(&set)) {
+            Some(group) => group.classes.extend(classes),
+            None => groups.push(Group { terminals: set, classes }),
+        }
+    }
+    (2..=MOST_GROUPS).contains(&groups.len()).then_some(groups)
+}
+
+/// What the blocks of each group are in the first one; those that all of them have are themselves.
+fn maps(corpus: &Corpus, groups: &[Group]) -> Option<Vec<BTreeMap<u32, u32>>> {
+    let common = groups.iter().skip(1).fold(groups[0].terminals.clone(), |common, group| {
+        common.intersection(&group.terminals).copied().collect()
+    });
+    let own: Vec<BTreeSet<u32>> = groups.iter().map(|group| group.own(&common)).collect();
+    if own.iter().any(|own| own.is_empty() || own.len() > MOST_OWN || own.contains(&corpus.air)) {
+        return None;
+    }
+    let patterns = |group: &Group| -> Vec<(Vec<u32>, Vec<u32>)> {
+        group.classes.iter().map(|(class, _)| corpus.pattern(*class)).collect()
+    };
+    let first = patterns(&groups[0]);
+    let map = |group: &Group, own: &BTreeSet<u32>| {
+        let alike = patterns(group).into_iter().flat_map(|(pattern, order)| {
+            let same = first.iter().filter(move |(other, _)| *other == pattern);
+            same.map(move |(_, others)| order.iter().copied().zip(others.iter().copied()).collect())
+        });
+        let keeps =
+            |map: &BTreeMap<u32, u32>| map.iter().all(|(from, to)| from == to || !common.contains(from));
+        let best = alike.filter(keeps).max_by_key(BTreeMap::len);
+        best.or_else(|| in_order(&patterns(group), own, &first, &groups[0].own(&common)))
+    };
+    groups.iter().zip(&own).skip(1).map(|(group, own)| map(group, own)).collect()
+}
+
+/// The blocks of two groups as they come, if they are as many.
+fn in_order(
+    one: &[(Vec<u32>, Vec<u32>)],
+    own: &BTreeSet<u32>,
+    other: &[(Vec<u32>, Vec<u32>)],
+    others: &BTreeSet<u32>,
+) -> Option<BTreeMap<u32, u32>> {
+    let order = |patterns: &[(Vec<u32>, Vec<u32>)], own: &BTreeSet<u32>| -> Option<Vec<u32>> {
+        let all = patterns.iter().map(|(_, order)| -> Vec<u32> {
+            order.iter().copied().filter(|terminal| own.contains(terminal)).collect()
+        });
+        all.into_iter().find(|order| order.len() == own.len())
+    };
+    let (from, to) = (order(one, own)?, order(other, others)?);
+    (from.len() == to.len()).then(|| from.into_iter().zip(to).collect())
+}
+
+/// The blocks that are parameters: of each what it is in every group, where it is not the same in all.
+fn columns(groups: &[Group], maps: &[BTreeMap<u32, u32>]) -> Vec<Vec<u32>> {
+    let column = |terminal: &u32| -> Option<Vec<u32>> {
+        let others = maps.iter().map(|map| map.iter().find(|(_, to)| *to == terminal).map(|(from, _)| *from));
+        let column: Option<Vec<u32>> = std::iter::once(Some(*terminal)).chain(others).collect();
+        column.filter(|column| column.iter().any(|own| own != terminal))
+    };
+    groups[0].terminals.iter().filter_map(column).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::corpus::{Place, is_parameter};
+    use super::super::volume::Volume;
+    use super::*;
+    use crate::space::Bounds;
+    use ndarray::Array3;
+
+    const AIR: u32 = 0;
+
+    fn rows(rows: &[&[u32]]) -> (Corpus, Boxes) {
+        let volume = |row: &&[u32]| {
+            Volume::new(Array3::from_shape_vec((1, 1, row.len()), row.to_vec()).unwrap_or_default(), &[])
+        };
+        let mut corpus = Corpus::new(rows.iter().map(volume).collect(), AIR);
+        let places = corpus.examples();
+        let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
+        (corpus, boxes)
+    }
+
+    #[test]
+    fn what_differs_in_blocks_only_is_the_same_with_parameters() {
+        let (mut corpus, boxes) = rows(&[&[1, 2, 0, 9], &[1, 1, 2, 0, 9], &[3, 4, 0, 9]]);
+        let recolouring = Recolouring::of(&mut corpus, &boxes).expect("two materials");
+        let mut arguments: Vec<Vec<u32>> =
+            recolouring.groups.iter().map(|group| group.arguments.clone()).collect();
+        arguments.sort();
+        assert_eq!(arguments, [[1, 2], [3, 4]]);
+        assert!(recolouring.parameters.iter().all(|parameter| is_parameter(*parameter)));
+        // The first and the last row have become one.
+        assert_eq!(recolouring.boxes().kinds(), 2);
+        let first = recolouring.boxes().first();
+        assert!(corpus.terminals(first).iter().all(|terminal| !(1..=4).contains(terminal)));
+    }
+
+    #[test]
+    fn boxes_with_parameters_know_where_they_come_from() {
+        let (mut corpus, boxes) = rows(&[&[1, 2, 0], &[3, 4, 0]]);
+        let recolouring = Recolouring::of(&mut corpus, &boxes).expect("two materials");
+        let place = corpus.profile(recolouring.boxes().first()).place;
+        let part = Place { bounds: place.bounds.slab(crate::space::Axis::X, 1, 2), ..place };
+        let origin = corpus.origin(part);
+        assert!(origin.example < 2);
+        assert_eq!(origin.bounds, Bounds::of_size(place.bounds.size()).slab(crate::space::Axis::X, 1, 2));
+    }
+
+    #[test]
+    fn what_is_of_the_same_blocks_or_of_air_is_not_told_apart_by_materials() {
+        for all in [&[&[1u32, 2, 0][..], &[1, 1, 2, 0]][..], &[&[1, 2], &[1, 0]], &[&[1], &[1, 1]]] {
+            let (mut corpus, boxes) = rows(all);
+            assert!(Recolouring::of(&mut corpus, &boxes).is_none(), "{all:?}");
+        }
+    }
+}
