@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use vox::block::BlockState;
-use vox::grammar::{Code, check};
+use vox::grammar::{Code, check, format};
 use vox::graph::{OpGraph, dot, lower, raise};
 use vox::grid::{Grid, LabelledBox, LabelledBoxes};
 use vox::infer::{Example, Freedom, InferError, Labels, Method, infer};
@@ -29,10 +29,13 @@ fn graph_of(text: &str) -> OpGraph {
 
 /// What the learnt grammar says as text, and the graph of that text.
 fn learnt(examples: &[Example]) -> (String, OpGraph) {
-    let graph = infer(examples, Method::default(), Freedom::default()).unwrap().graph;
-    let text = raise(&graph).to_string();
+    let learnt = infer(examples, Method::default(), Freedom::default()).unwrap();
+    let text = raise(&learnt.graph).to_string();
     let read_back = graph_of(&text);
-    assert_eq!(graph, read_back, "{text}");
+    assert_eq!(learnt.graph, read_back, "{text}");
+    let with_comments = learnt.grammar().to_string();
+    assert_eq!(graph_of(&with_comments), read_back, "{with_comments}");
+    assert_eq!(format(&with_comments).unwrap(), with_comments, "as `vox fmt` lays it out");
     (text, read_back)
 }
 

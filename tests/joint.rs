@@ -3,6 +3,7 @@
 mod grammar_files;
 
 use grammar_files::{GrammarFile, all_in};
+use snapbox::assert_data_eq;
 use vox::graph::OpGraph;
 use vox::grid::Grid;
 use vox::infer::{Example, Freedom, Learnt, Method, infer};
@@ -81,6 +82,27 @@ fn known_grammars_are_learnt_back() {
             agreement(&learnt.graph, &truth, &Library::new(), &grids, 1000, 40);
         assert!(precision >= 0.95, "{name}: precision {precision}");
         assert!(recall >= least, "{name}: recall {recall}");
+    }
+}
+
+/// Names, materials, storeys and comments, as people read them.
+#[test]
+fn a_tower_reads_well() {
+    let grids = examples(&truth("tower").graph(), 10);
+    let text = learnt(&grids, Freedom::Seen).grammar().to_string();
+    assert_data_eq!(text, snapbox::file!["infer/tower.grammar"]);
+}
+
+/// A draw of the number of storeys gives the heights of the examples.
+#[test]
+fn storeys_are_set_by_one_constant() {
+    let grids = examples(&truth("tower").graph(), 10);
+    let mut graph = learnt(&grids, Freedom::Seen).graph;
+    graph.set_constant("storeys", "7").unwrap();
+    graph.set_constant("wall", "mossy_stone_bricks").unwrap();
+    for tower in examples(&graph, 5) {
+        assert_eq!(tower.size().y, 2 + 4 * 7);
+        assert!(tower.palette().states().iter().all(|state| state.short_name() != "stone_bricks"));
     }
 }
 

@@ -60,3 +60,33 @@ fn bare_name(value: &Expr) -> Option<String> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grammar::read;
+    use crate::graph::lower;
+
+    fn graph(text: &str) -> OpGraph {
+        lower(&read(text).unwrap(), None).unwrap()
+    }
+
+    #[test]
+    fn blocks_are_named_and_spelled_out_again() {
+        let plain =
+            graph("a --> split(x){ 1 : I(oak_stairs) | 1 : I(oak_stairs[facing=east]) | ~1 : I(stone) }");
+        let mut named = plain.clone();
+        let stairs = Constant { name: "stairs".to_owned(), value: Expr::name("oak_stairs"), attribute: None };
+        named.name_blocks(vec![stairs.clone()]);
+        let text = "stairs = oak_stairs
+            a --> split(x){ 1 : I(stairs) | 1 : I(stairs[facing=east]) | ~1 : I(stone) }";
+        assert_eq!(named, graph(text));
+        assert_eq!(named.spelled_out(), OpGraph { constants: vec![stairs], ..plain });
+    }
+
+    #[test]
+    fn what_a_style_changes_stays_named() {
+        let styled = graph("wood = oak_planks\nstyle dark { wood = dark_oak_planks }\na --> I(wood)");
+        assert_eq!(styled.spelled_out(), styled);
+    }
+}

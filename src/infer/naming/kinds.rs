@@ -113,3 +113,26 @@ pub fn material(name: &str) -> String {
     let words: Vec<&str> = bare.split('_').collect();
     words[words.len().saturating_sub(2)..].join("_")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn materials_are_two_words_at_the_most() {
+        let cases = [
+            ("oak_planks", "oak"),
+            ("stripped_dark_oak_log", "dark_oak"),
+            ("stone_bricks", "stone_brick"),
+            ("mossy_stone_brick_stairs", "stone_brick"),
+            ("bricks", "brick"),
+            ("wall_torch", "torch"),
+            ("mod:red_rock_slab", "red_rock"),
+            ("glass", "glass"),
+            ("", ""),
+        ];
+        for (name, expected) in cases {
+            assert_eq!(material(name), expected, "{name}");
+        }
+    }
+}

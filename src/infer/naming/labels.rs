@@ -5,7 +5,7 @@ use super::phrases::{Common, phrases};
 use super::rules::Rule;
 use super::sights::Sight;
 use super::words::{self, Alternative, Form, Noun};
-use crate::block::{self, Family};
+use crate::block::{self, is_material};
 use crate::grammar::{is_primitive, is_reserved};
 use crate::graph::{Arg, Expr, NodeIndex, Op, OpGraph, RuleName};
 use crate::space::Axis;
@@ -109,9 +109,10 @@ impl Taken {
 
     /// The first candidate that is free, else the first with a number.
     fn first_free(&mut self, candidates: &[String]) -> String {
-        let numbered =
-            (2..).map(|number| format!("{}_{number}", candidates.first().map_or("part", String::as_str)));
-        let mut all = candidates.iter().cloned().chain(numbered);
+        let first = candidates.first().map_or("part", String::as_str);
+        let numbered = (2..).map(|number| format!("{first}_{number}"));
+        let others = candidates.iter().skip(1).cloned();
+        let mut all = std::iter::once(first.to_owned()).chain(others).chain(numbered);
         let free = all.find(|name| is_name(name) && !self.0.contains(name)).unwrap_or_default();
         self.0.insert(free.clone());
         free
@@ -120,7 +121,7 @@ impl Taken {
 
 /// Whether a name means nothing else: no block, no material, no primitive and no word of the language.
 pub fn is_name(name: &str) -> bool {
-    !is_reserved(name) && !is_primitive(name) && block::known(name).is_none() && Family::of(name).is_none()
+    !is_reserved(name) && !is_primitive(name) && block::known(name).is_none() && !is_material(name)
 }
 
 /// Names for the parameters of what is called: what they measure.
@@ -150,4 +151,19 @@ fn param_name(graph: &OpGraph, target: NodeIndex, param: usize) -> String {
         _ => "length",
     };
     if param == 0 { word.to_owned() } else { format!("{word}_{}", param + 1) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_that_means_something_else_is_passed_over() {
+        let mut taken = Taken(BTreeSet::from(["wall".to_owned()]));
+        let candidates = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+        let all = candidates(&["wall", "stone", "oak", "door", "split", "oak_wall"]);
+        assert_eq!(taken.first_free(&all), "oak_wall");
+        assert_eq!(taken.first_free(&all), "wall_2");
+        assert_eq!(taken.first_free(&[]), "part");
+    }
 }

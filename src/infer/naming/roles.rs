@@ -165,3 +165,74 @@ fn role(known: &Known, stand: Stand) -> Option<Role> {
         _ => return None,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::labels::is_name;
+    use super::*;
+
+    /// A column of states, from the bottom up.
+    fn column(names: &[&str]) -> Grid {
+        let mut grid = Grid::new(Cell::new(1, names.len() as i32, 1));
+        for (name, y) in names.iter().zip(0..) {
+            let id = grid.intern(&name.parse().unwrap()).unwrap();
+            grid.set(Cell::new(0, y, 0), id);
+        }
+        grid
+    }
+
+    #[test]
+    fn blocks_are_for_what_stands_where_they_stand() {
+        let house = column(&[
+            "cobblestone",
+            "oak_planks",
+            "air",
+            "oak_log",
+            "bricks",
+            "bricks",
+            "glass",
+            "spruce_planks",
+            "oak_stairs",
+        ]);
+        let expected = [
+            ("bricks", Role::Wall),
+            ("cobblestone", Role::Base),
+            ("glass", Role::Pane),
+            ("oak_log", Role::Frame),
+            ("oak_planks", Role::Flooring),
+            ("oak_stairs", Role::RoofStairs),
+            ("spruce_planks", Role::Wall),
+        ];
+        let found = roles([&house].into_iter());
+        let found: Vec<(&str, Role)> = found.iter().map(|(name, (role, _))| (name.as_str(), *role)).collect();
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn furniture_and_plants_are_no_materials() {
+        assert!(roles([&column(&["furnace", "oak_leaves", "torch", "mod:wall"])].into_iter()).is_empty());
+    }
+
+    #[test]
+    fn words_of_roles_mean_nothing_else() {
+        let all = [
+            Role::Wall,
+            Role::Frame,
+            Role::Base,
+            Role::Flooring,
+            Role::RoofBlock,
+            Role::RoofStairs,
+            Role::RoofSlab,
+            Role::TrimStairs,
+            Role::TrimSlab,
+            Role::Pane,
+            Role::Door,
+            Role::Trapdoor,
+            Role::Fence,
+            Role::Parapet,
+            Role::Gate,
+            Role::Ground,
+        ];
+        assert!(all.into_iter().all(|role| is_name(role.word())));
+    }
+}
