@@ -31,6 +31,8 @@ impl Holes<'_> {
         let mut left: Vec<(u64, u32)> =
             each.flat_map(|(own, at)| holes.iter().map(move |holes| (hash(own, *holes), at))).collect();
         left.sort_unstable();
+        // Several ways to leave cells out may have one hash.
+        left.dedup();
         // The first of equal ones is entered last.
         let first = left.iter().enumerate().rev().map(|(at, (hash, _))| (*hash, at)).collect();
         Holes { all, left, first, holes }
