@@ -62,15 +62,19 @@ impl<'c> Explainer<'c> {
         Explainer { corpus, plan, estimates, memo: Memo::default(), kept: FxHashSet::default() }
     }
 
-    /// Whether a node is a choice between several boxes that share nothing.
-    pub fn tells_all_apart(&self, node: NodeId, boxes: &Boxes) -> bool {
-        match &self.plan.node(node).form {
-            Form::Choose(children) => {
-                let is_call = |child: &NodeId| matches!(self.plan.node(*child).form, Form::Call { .. });
-                children.len() == boxes.kinds() && !children.iter().any(is_call)
-            }
-            _ => false,
-        }
+    /// Whether a node is a choice in which most boxes share nothing with any other.
+    pub fn tells_most_apart(&self, node: NodeId, boxes: &Boxes) -> bool {
+        let node = self.plan.node(node);
+        let Form::Choose(children) = &node.form else { return false };
+        let mut classes = vec![0; children.len()];
+        let chosen = boxes.classes().filter_map(|class| match node.how.get(&class) {
+            Some(How::Choose(number)) => Some(*number),
+            _ => None,
+        });
+        chosen.for_each(|number| classes[number] += 1);
+        let is_call = |child: &NodeId| matches!(self.plan.node(*child).form, Form::Call { .. });
+        let alone = children.iter().zip(classes).filter(|(child, count)| *count == 1 && !is_call(child));
+        2 * alone.count() > boxes.kinds()
     }
 
     /// Whether so little was looked at without looking ahead that there is enough left to do so.

@@ -58,8 +58,8 @@ const LONGEST: i32 = 128;
 /// the neighbours of blocks decide.
 ///
 /// Where samples show what no example shows, what is to blame is repaired, and what that touches is explained again;
-/// once they do not, rules that are one become one, if they still do not. `None` where no operation describes two
-/// examples, or where to find it would take too long.
+/// once they do not, rules that are one become one, if they still do not. `None` where no operation describes most of
+/// the examples together with others, or where to find it would take too long.
 pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<Learnt> {
     let cells: u64 = examples.iter().map(|grid| grid.bounds().volume()).sum();
     let is_long = |grid: &&Grid| grid.size().max_element() > LONGEST;
@@ -79,7 +79,7 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     }
     for _ in 0..ROUNDS {
         let root = explainer.explain_examples(&boxes, Search(AHEAD));
-        if explainer.is_spent() || explainer.tells_all_apart(root, &boxes) {
+        if explainer.is_spent() || explainer.tells_most_apart(root, &boxes) {
             return None;
         }
         let emitted = emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
