@@ -61,7 +61,8 @@ impl Sight {
     }
 
     fn hold(&mut self, leaf: &Leaf, cells: u64) {
-        *self.kinds.entry(leaf.kind).or_default() += cells;
+        let held = self.kinds.entry(leaf.kind).or_default();
+        *held = held.saturating_add(cells);
         if !matches!(leaf.kind, Kind::Nothing | Kind::Window | Kind::Door) {
             *self.words.entry(leaf.word.clone()).or_default() += cells;
         }
