@@ -33,7 +33,8 @@ pub fn learn(house: &Grid, scope: &Scope) -> Option<Learnt> {
     let learnt = infer(&[Example::Blocks(part)], Method::Boxes, Freedom::Seen).ok()?;
     let size = Axis::ALL.map(|axis| scope.len(axis));
     let fills = fills(&learnt.graph, size);
-    let mut rules = raise(&learnt.graph).rules.into_iter();
+    // Materials are written out: the grammar that takes the rules in has constants of its own.
+    let mut rules = raise(&learnt.graph.spelled_out()).rules.into_iter();
     let first = rules.next()?;
     Some(Learnt { successor: first.successor, rules: rules.collect(), fills })
 }
