@@ -9,7 +9,8 @@ use vox::grid::Grid;
 use vox::infer::{Example, Freedom, Method, infer};
 use vox::io::{Content, Limits, SchemVersion, decode, encode_schem};
 use vox::parse::{Laws, Parser};
-use vox::run::Library;
+use vox::run::{Library, Options, run};
+use vox::space::Cell;
 
 /// Grammars with what parsing does not follow, and what that is.
 const NOT_FOLLOWED: [(&str, &str); 5] = [
@@ -74,4 +75,21 @@ fn real_houses_are_covered_in_part_by_the_rules_of_their_neighbours() {
     let unexplained = Parser::new(&graph, Laws::AsWritten).parse(left_out).unwrap_err();
     assert!(unexplained.explained < unexplained.cells, "{unexplained:?}");
     assert!(left_out.bounds().contains_box(&unexplained.region));
+}
+
+#[test]
+fn blocks_that_gained_properties_later_are_derived_as_they_were() {
+    for state in ["barrier", "skeleton_skull[rotation=3]", "player_wall_head[facing=east]"] {
+        let mut house = Grid::new(Cell::new(2, 1, 1));
+        for (x, name) in [state, "stone"].into_iter().enumerate() {
+            let id = house.intern(&name.parse().unwrap()).unwrap();
+            house.set(Cell::new(x as i32, 0, 0), id);
+        }
+        house.metadata.data_version = Some(3120);
+        let example = Example::Blocks(house.clone());
+        let learnt = infer(&[example], Method::Boxes, Freedom::Seen).unwrap();
+        assert!(Parser::new(&learnt.graph, Laws::AsWritten).derives(&house), "{state}");
+        let made = run(&learnt.graph, &Library::new(), &Options::default()).unwrap().made;
+        assert!(made.same_blocks(&house), "{state}");
+    }
 }

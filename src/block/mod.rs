@@ -41,7 +41,7 @@ pub use shape::{Arm, Bend, Half, Hung, Leaves, Plant, Post, Shape, Sides, Slope,
 pub use state::{BadBlockState, BlockState};
 pub use sturdy::{Bottom, bottom, sturdy};
 pub use suggest::suggest;
-pub use translate::{Newer, legal_in, translated};
+pub use translate::{Newer, as_in, legal_in, translated};
 pub use turn::{Mirror, Motion};
 pub use version::Version;
 pub use water::{is_always_in_water, is_water, left_behind, takes_water};

@@ -35,6 +35,12 @@ pub fn translated(state: &BlockState, from: Version, to: Version) -> Result<Bloc
         .try_fold(newest, |old, at| lowered(old, at).ok_or_else(|| Newer { state: state.clone(), needs: at }))
 }
 
+/// `state` in the words of `version`: without what came later and says no more than its default. What `version` does not
+/// have stays as it is.
+pub fn as_in(state: &BlockState, version: Version) -> BlockState {
+    translated(state, version, version).unwrap_or_else(|_| state.clone())
+}
+
 fn is_foreign(state: &BlockState) -> bool {
     !state.name().starts_with("minecraft:")
 }

@@ -1,6 +1,6 @@
 //! Block states and kinds of cells by number.
 
-use crate::block::{BlockState, Version, complete_in};
+use crate::block::{BlockState, Version, as_in, complete_in};
 use crate::neighbours::decided;
 use rustc_hash::FxHashMap;
 
@@ -73,7 +73,7 @@ impl States {
             return id;
         }
         let keys = decided(state).iter().filter(|key| state.get(key).is_none());
-        let full = complete_in(state, self.version);
+        let full = complete_in(&as_in(state, self.version), self.version);
         let open = keys.fold(full, |open, key| open.without(key));
         let id = self.number(&open);
         self.written.insert(state.clone(), id);

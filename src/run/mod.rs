@@ -19,6 +19,7 @@ mod start;
 mod trail;
 mod why;
 
+use crate::block::{BlockState, PaletteFull, as_in};
 use crate::graph::OpGraph;
 use crate::grid::{Grid, LabelledBox};
 use crate::neighbours::settle;
@@ -106,8 +107,20 @@ pub fn run_observed(
         brushes.place(&mut grid, &placement)
     })?;
     grid.metadata.data_version = graph.data_version;
-    settle(&mut grid).map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
+    to_its_version(&mut grid)
+        .and_then(|()| settle(&mut grid))
+        .map_err(|_| RunError::anywhere(Kind::PaletteFull))?;
     Ok(Made { made: grid, warnings })
+}
+
+/// Takes off what the version that a grid is of, if it says one, does not know.
+fn to_its_version(grid: &mut Grid) -> Result<(), PaletteFull> {
+    let version = grid.version();
+    let is_known = |state: &BlockState| as_in(state, version) == *state;
+    match grid.metadata.data_version.is_none() || grid.palette().states().iter().all(is_known) {
+        true => Ok(()),
+        false => grid.map_states(|state| as_in(state, version)),
+    }
 }
 
 /// Runs a graph and lists its primitives as labelled boxes in the world's axes, in the order placed. A
