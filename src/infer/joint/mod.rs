@@ -59,7 +59,8 @@ const LONGEST: i32 = 128;
 ///
 /// Where samples show what no example shows, what is to blame is repaired, and what that touches is explained again;
 /// once they do not, rules that are one become one, if they still do not. `None` where no operation describes most of
-/// the examples together with others, or where to find it would take too long.
+/// the examples together with others, where what was found makes nothing but the examples, or where to find it would
+/// take too long.
 pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<Learnt> {
     let cells: u64 = examples.iter().map(|grid| grid.bounds().volume()).sum();
     let is_long = |grid: &&Grid| grid.size().max_element() > LONGEST;
@@ -96,7 +97,7 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
             let root = pool::pooled(&mut explainer, root, &boxes, Search(AHEAD), holds);
             let emitted =
                 emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
-            return Some(emitted.learnt);
+            return shown.is_exceeded(&emitted.learnt.graph).then_some(emitted.learnt);
         }
         let made_for = explainer.in_use(&boxes, Search(AHEAD));
         let mut suspects = Suspects {

@@ -20,6 +20,7 @@ const MOST: usize = 48;
 
 /// What the examples show once all blocks stand: every neighbourhood of 2 x 2 x 2, with one layer of air around.
 pub struct Shown {
+    examples: Vec<Grid>,
     terminals: Terminals,
     windows: FxHashSet<u64>,
 }
@@ -40,16 +41,19 @@ pub enum Fault {
 
 impl Shown {
     pub fn by(examples: &[&Grid]) -> Shown {
-        let mut shown = Shown { terminals: Terminals::default(), windows: FxHashSet::default() };
-        for example in examples {
+        let settled = examples.iter().map(|example| {
             let mut grid = (*example).clone();
             // A palette that is too full for more states stays as it is.
             let _ = settle(&mut grid);
-            let example = Example::Blocks(grid);
-            let windows = shown.around(&example);
-            shown.windows.extend(windows.into_iter().map(|(_, window)| window));
+            grid
+        });
+        let examples: Vec<Grid> = settled.collect();
+        let (mut terminals, mut windows) = (Terminals::default(), FxHashSet::default());
+        for example in &examples {
+            let around = around(&Example::Blocks(example.clone()), &mut terminals);
+            windows.extend(around.into_iter().map(|(_, window)| window));
         }
-        shown
+        Shown { examples, terminals, windows }
     }
 
     /// The samples that failed, or put side by side what no example shows so. What two samples show is told of once.
@@ -84,6 +88,14 @@ impl Shown {
         })
     }
 
+    /// Whether samples show more than the examples again.
+    pub fn is_exceeded(&self, graph: &OpGraph) -> bool {
+        (0..SAMPLES).any(|seed| {
+            let made = run(graph, &Library::new(), &Options { seed, ..Options::default() });
+            made.is_ok_and(|made| !self.examples.iter().any(|example| example.same_blocks(&made.made)))
+        })
+    }
+
     fn unseen(
         &self,
         grid: Grid,
@@ -99,10 +111,6 @@ impl Shown {
         let windows: Vec<Bounds> = unseen.map(|(at, _)| Bounds::new(at, at + Cell::splat(2))).collect();
         let cells = || sample.open().cells(terminals);
         (!windows.is_empty()).then(cells)?.map(|cells| Fault::Unseen { cells, windows })
-    }
-
-    fn around(&mut self, example: &Example) -> Vec<(Cell, u64)> {
-        around(example, &mut self.terminals)
     }
 }
 
