@@ -123,10 +123,8 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
     });
     let grids: Vec<&Grid> = grids.collect();
     let learnt = match method {
-        Method::Joint if !grids.is_empty() => {
-            joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open), Ok)
-        }
-        Method::Joint | Method::Boxes => by_boxes(&open),
+        Method::Joint => joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open), Ok),
+        Method::Boxes => by_boxes(&open),
     };
     Ok(naming::name(learnt?, examples))
 }
@@ -134,11 +132,10 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
 fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
     let mut terminals = Terminals::default();
     examples.iter().for_each(|example| terminals.enter(example));
-    let shown = Shown::by(examples, &mut terminals);
+    let shown = may_mix(examples).then(|| Shown::by(examples, &mut terminals)).flatten();
     let exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
     let group = |number: usize| exchanges.iter().find(|group| group.members.contains(&number));
-    // One example alone is to be given back as it is.
-    let sites = shown.filter(|_| examples.len() > 1).map_or_else(Vec::new, |shown| {
+    let sites = shown.map_or_else(Vec::new, |shown| {
         let is_whole = |number, bounds| group(number).is_none_or(|group| group.leaves_whole(bounds));
         swaps::sites(examples, &shown, &terminals, is_whole)
     });
@@ -156,4 +153,14 @@ fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
     };
     let kinds = combine::combine(&slabs, chance, held.labels());
     Ok(emit::emit(&kinds, &held, &exchanges, &terminals, examples))
+}
+
+/// Examples of more cells than this in all are given back as they are: to look for what they can exchange takes
+/// longer than anything else.
+const MOST_MIXED: u64 = 1 << 18;
+
+/// Whether parts of examples may stand in for one another. One example alone is to be given back as it is.
+fn may_mix(examples: &[Example]) -> bool {
+    let cells: u64 = examples.iter().map(|example| example.bounds().volume()).sum();
+    examples.len() > 1 && cells <= MOST_MIXED
 }
