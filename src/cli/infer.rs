@@ -241,10 +241,10 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize, outline: Option<Outline>)
     }
     let rules = count(grammar.rules.len() as f64, "rule");
     report::note(&format!("{examples} of {examples} examples reproduced, by {rules}"));
-    report::note(&match ways > examples as f64 {
-        true => format!("there are {} through the rules", count(ways, "way")),
-        false => "the rules make only the examples again: no part could be exchanged between them".to_owned(),
-    });
+    let makes_more = outline.map_or(ways > examples as f64, |outline| outline.novelty > 0.0);
+    if !makes_more {
+        report::note("the rules make only the examples again: no part could be exchanged between them");
+    }
     if let Some(outline) = outline {
         report::note(&scores(&outline));
     }
