@@ -14,7 +14,6 @@ use super::repeats::Period;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
-use std::collections::BTreeMap;
 
 /// What is known while examples are explained.
 pub struct Explainer<'c> {
@@ -140,22 +139,27 @@ impl<'c> Explainer<'c> {
         let recolouring = (!self.is_kept(boxes)).then(|| Recolouring::of(self.corpus, boxes)).flatten();
         let Some(recolouring) = recolouring else { return plain };
         let calls = self.calls(&recolouring, search);
-        let called = self.plan.choose(calls.into_iter().collect());
+        let called = self.called(&recolouring, &calls, boxes);
         let bits = [plain, called].map(|node| plan::bits(&self.plan, self.corpus, node, boxes));
         if bits[1] < bits[0] { called } else { plain }
     }
 
-    /// Calls of one description with the materials of each class.
-    pub fn calls(&mut self, recolouring: &Recolouring, search: Search) -> BTreeMap<Class, NodeId> {
+    /// Calls of one description with the materials of each group.
+    pub fn calls(&mut self, recolouring: &Recolouring, search: Search) -> Vec<NodeId> {
         let child = self.explain(&recolouring.boxes(), search);
-        let mut calls = BTreeMap::new();
-        for group in &recolouring.groups {
+        let call = |(number, group): (usize, &Recoloured)| {
             let (parameters, arguments) = (recolouring.parameters.clone(), group.arguments.clone());
-            let how = group.classes.iter().map(|(class, other, _)| (*class, How::Call(*other)));
-            let call = self.plan.add(Form::Call { parameters, arguments, child }, how);
-            calls.extend(group.classes.iter().map(|(class, ..)| (*class, call)));
-        }
-        calls
+            let described = recolouring.described(self.corpus, number);
+            let how = described.into_iter().map(|(class, other)| (class, How::Call(other)));
+            self.plan.add(Form::Call { parameters, arguments, child }, how)
+        };
+        recolouring.groups.iter().enumerate().map(call).collect()
+    }
+
+    /// The choice between calls that describes `boxes`.
+    pub fn called(&mut self, recolouring: &Recolouring, calls: &[NodeId], boxes: &Boxes) -> NodeId {
+        let shared_out = recolouring.shared_out(self.corpus, boxes);
+        self.plan.choose(shared_out.into_iter().map(|(class, number)| (class, calls[number])).collect())
     }
 
     /// The node that describes all `boxes`.

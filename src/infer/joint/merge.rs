@@ -61,10 +61,7 @@ impl Merge {
         search: Search,
     ) -> Vec<(NodeId, NodeId)> {
         let calls = explainer.calls(recolouring, search);
-        let rule = |(id, boxes): &(NodeId, Boxes)| {
-            let of = boxes.classes().map(|class| (class, calls[&class])).collect();
-            (*id, explainer.plan.choose(of))
-        };
+        let rule = |(id, boxes): &(NodeId, Boxes)| (*id, explainer.called(recolouring, &calls, boxes));
         self.rules.iter().map(rule).collect()
     }
 }

@@ -2,6 +2,7 @@
 
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many groups of boxes are told apart by their materials, of so many blocks of their own at the most.
@@ -62,6 +63,50 @@ impl Recolouring {
     /// All boxes with parameters for blocks.
     pub fn boxes(&self) -> Boxes {
         Boxes::of(self.groups.iter().flat_map(Recoloured::boxes))
+    }
+
+    /// The number of the group that each class of some of the boxes goes with. One that looks the same in the blocks of
+    /// several groups goes with most of the others: a wall without windows tells nothing of their glass.
+    pub fn shared_out(&self, corpus: &mut Corpus, boxes: &Boxes) -> BTreeMap<Class, usize> {
+        let own: BTreeMap<Class, usize> = self
+            .groups
+            .iter()
+            .enumerate()
+            .flat_map(|(number, group)| group.classes.iter().map(move |(class, ..)| (*class, number)))
+            .collect();
+        let all: Vec<(Class, u32, Vec<usize>)> = boxes
+            .iter()
+            .filter_map(|(class, count)| {
+                Some((class, count, self.looks_like(corpus, class, *own.get(&class)?)))
+            })
+            .collect();
+        let sure = |number: usize| -> u32 {
+            all.iter().filter(|(.., groups)| *groups == [number]).map(|(_, count, _)| count).sum()
+        };
+        let likeliest =
+            |groups: &[usize]| groups.iter().copied().max_by_key(|number| (sure(*number), Reverse(*number)));
+        all.iter().filter_map(|(class, _, groups)| Some((*class, likeliest(groups)?))).collect()
+    }
+
+    /// The classes that the group of that number describes, its own and those that look the same in its blocks, each with
+    /// the one that has parameters.
+    pub fn described(&self, corpus: &mut Corpus, number: usize) -> Vec<(Class, Class)> {
+        let all = self.groups.iter().enumerate().flat_map(|(own, group)| {
+            group.classes.iter().map(move |(class, other, _)| (own, *class, *other))
+        });
+        let described = all.filter(|(own, class, _)| self.looks_like(corpus, *class, *own).contains(&number));
+        described.map(|(_, class, other)| (class, other)).collect()
+    }
+
+    /// The groups in whose blocks a class of the group `own` looks the same.
+    fn looks_like(&self, corpus: &mut Corpus, class: Class, own: usize) -> Vec<usize> {
+        let terminals = corpus.terminals(class);
+        let is_shown = |terminal: &u32| terminals.binary_search(terminal).is_ok();
+        let is_alike = |other: &usize| {
+            let [one, other] = [own, *other].map(|number| &self.groups[number].arguments);
+            one.iter().zip(other).all(|(one, other)| one == other || (!is_shown(one) && !is_shown(other)))
+        };
+        (0..self.groups.len()).filter(is_alike).collect()
     }
 }
 
@@ -183,6 +228,19 @@ mod tests {
         assert_eq!(recolouring.boxes().kinds(), 2);
         let first = recolouring.boxes().first();
         assert!(corpus.terminals(first).iter().all(|terminal| !(1..=4).contains(terminal)));
+    }
+
+    #[test]
+    fn what_shows_no_material_goes_with_what_it_stands_among() {
+        let (mut corpus, boxes) = rows(&[&[1, 2, 1], &[1, 3, 1], &[1, 3, 3, 1], &[1, 1]]);
+        let recolouring = Recolouring::of(&mut corpus, &boxes).expect("two materials");
+        let class: Vec<Class> = corpus.examples().into_iter().map(|place| corpus.class(place)).collect();
+        for (others, number) in [([0, 3], 0), ([1, 3], 1)] {
+            let some = Boxes::of(others.map(|other| (class[other], 1)));
+            let shared_out = recolouring.shared_out(&mut corpus, &some);
+            assert_eq!(shared_out[&class[3]], shared_out[&class[others[0]]]);
+            assert_eq!(recolouring.groups[shared_out[&class[3]]].arguments, [[2], [3]][number]);
+        }
     }
 
     #[test]
