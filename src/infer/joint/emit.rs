@@ -6,11 +6,11 @@ use super::feasible::{Feasible, Lengths, feasible};
 use super::laws::Law;
 use super::limits::Limits;
 use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
-use super::repeats::gcd;
 use super::scope::{Scope, Within};
+use super::starts::{Sizes, Starts};
 use crate::grammar::ast::BinaryOp;
-use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize};
-use crate::infer::emit::{block_expr, data_version, sizes};
+use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size};
+use crate::infer::emit::{block_expr, data_version};
 use crate::infer::example::{Example, Terminal, Terminals};
 use crate::infer::{Labels, Learnt, Method, Notes};
 use crate::space::Axis;
@@ -39,7 +39,7 @@ pub fn emit(
     root: NodeId,
     boxes: &Boxes,
     terminals: &Terminals,
-    examples: &[Example],
+    (examples, sizes): (&[Example], Sizes),
     limits: &Limits,
 ) -> Emitted {
     let all = occurrences(plan, corpus, root, boxes);
@@ -62,10 +62,8 @@ pub fn emit(
     }
     let node = emitter.nodes[&root];
     let (mut graph, kept) = emitter.builder.finish(node);
-    graph.sizes = match &plan.node(root).form {
-        Form::Choose(children) if !is_one(plan, children) => sizes(examples),
-        _ => between(emitter.corpus, boxes, limits),
-    };
+    let starts = Starts { plan, corpus: emitter.corpus, feasible: &emitter.feasible, limits };
+    graph.sizes = starts.sizes(root, boxes, sizes);
     graph.data_version = data_version(examples);
     let nodes = made.into_iter().filter_map(|(node, ids)| Some((*kept.get(&node)?, ids))).collect();
     let learnt = Learnt { graph, labels: Labels::new(), by: Method::Joint, notes: Notes::default() };
@@ -217,16 +215,6 @@ impl Emitter<'_> {
     }
 }
 
-/// Whether all that can be chosen is one rule.
-fn is_one(plan: &Plan, children: &[NodeId]) -> bool {
-    let called = |child: &NodeId| match &plan.node(*child).form {
-        Form::Call { child, .. } => Some(*child),
-        _ => None,
-    };
-    let first = children.first().and_then(called);
-    first.is_some() && children.iter().all(|child| called(child) == first)
-}
-
 fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
     Expr::Binary(op, Box::new(left), Box::new(right))
 }
@@ -265,7 +253,7 @@ fn size_of(law: &Law) -> Size {
 }
 
 /// The value of a size that does not float.
-fn value(law: &Law) -> Expr {
+pub fn value(law: &Law) -> Expr {
     let number = |value: i32| Expr::number(f64::from(value));
     match law {
         Law::Const(len) => number(*len),
@@ -280,21 +268,4 @@ fn value(law: &Law) -> Expr {
         }
         Law::Float(_) | Law::Same(_) => number(1),
     }
-}
-
-/// The sizes between those of the examples: each axis by itself.
-fn between(corpus: &Corpus, boxes: &Boxes, limits: &Limits) -> Vec<StartSize> {
-    let size = Axis::ALL.map(|axis| {
-        let mut lens: Vec<(i32, u32)> =
-            boxes.iter().map(|(class, count)| (corpus.profile(class).len(axis), count)).collect();
-        lens.sort_unstable();
-        let (low, high) = (lens[0].0, lens[lens.len() - 1].0);
-        let step = lens.iter().map(|(len, _)| len - low).fold(0, gcd);
-        value(&match step {
-            0 => Law::Const(low),
-            _ if limits.has(boxes, axis) => Law::table(lens.into_iter()),
-            _ => Law::Range { low, high, step },
-        })
-    });
-    vec![StartSize { size, weight: Expr::number(1.0) }]
 }

@@ -30,14 +30,19 @@ impl Law {
         Law::Table(counts.into_iter().collect())
     }
 
-    /// The longest that it gives by itself.
-    fn most(&self) -> i32 {
+    /// The lengths that it gives by itself.
+    pub fn lengths(&self) -> Box<dyn Iterator<Item = i32> + '_> {
         match self {
-            Law::Const(len) => *len,
-            Law::Range { high, .. } => *high,
-            Law::Table(entries) => entries.iter().map(|(len, _)| *len).max().unwrap_or(0),
-            Law::Float(_) | Law::Same(_) => 0,
+            Law::Const(len) => Box::new(std::iter::once(*len)),
+            Law::Range { low, high, step } => Box::new((*low..=*high).step_by(*step as usize)),
+            Law::Table(entries) => Box::new(entries.iter().map(|(len, _)| *len)),
+            Law::Float(_) | Law::Same(_) => Box::new(std::iter::empty()),
         }
+    }
+
+    /// The longest of them.
+    fn most(&self) -> i32 {
+        self.lengths().max().unwrap_or(0)
     }
 
     /// The bits of writing it down.

@@ -30,11 +30,13 @@ mod replace;
 mod samples;
 mod scope;
 mod seams;
+mod starts;
 mod volume;
 
 use super::example::{Example, Terminals};
 use super::{Freedom, Learnt};
 use crate::block;
+use crate::graph::OpGraph;
 use crate::grid::Grid;
 use crate::space::{Axis, Cell};
 use blame::{Repair, Repairs, Suspects};
@@ -43,6 +45,7 @@ use corpus::Corpus;
 use explain::{Explainer, Search};
 use limits::Limits;
 use samples::Shown;
+use starts::Sizes;
 use volume::Volume;
 
 /// So many steps are looked ahead.
@@ -83,21 +86,26 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
         if explainer.is_spent() || explainer.tells_most_apart(root, &boxes) {
             return None;
         }
-        let emitted = emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
+        let emit = |explainer: &mut Explainer<'_>, root, sizes| {
+            emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, (open, sizes), &limits)
+        };
+        let emitted = emit(&mut explainer, root, Sizes::Seen);
         let faults = match freedom {
             Freedom::Seen => shown.faults(&emitted.learnt.graph, &mut terminals),
             Freedom::Free => Vec::new(),
         };
         if faults.is_empty() {
+            let is_like = |graph: &OpGraph| freedom == Freedom::Free || shown.is_like(graph);
             let holds = |explainer: &mut Explainer<'_>, root| {
-                let emitted =
-                    emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
-                freedom == Freedom::Free || shown.is_like(&emitted.learnt.graph)
+                is_like(&emit(explainer, root, Sizes::Seen).learnt.graph)
             };
             let root = pool::pooled(&mut explainer, root, &boxes, Search(AHEAD), holds);
-            let emitted =
-                emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, open, &limits);
-            return shown.is_exceeded(&emitted.learnt.graph).then_some(emitted.learnt);
+            let of_any_size = emit(&mut explainer, root, Sizes::Between).learnt;
+            let learnt = match is_like(&of_any_size.graph) {
+                true => of_any_size,
+                false => emit(&mut explainer, root, Sizes::Seen).learnt,
+            };
+            return shown.is_exceeded(&learnt.graph).then_some(learnt);
         }
         let made_for = explainer.in_use(&boxes, Search(AHEAD));
         let mut suspects = Suspects {
