@@ -6,7 +6,7 @@ use crate::block::{BlockState, Palette, PaletteFull, complete};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::neighbours::unsettle;
 use crate::parse::Parser;
-use crate::space::{Axis, Bounds};
+use crate::space::{Axis, Bounds, Cell};
 use ndarray::Array3;
 use std::collections::BTreeMap;
 
@@ -55,6 +55,29 @@ impl Terminals {
     /// The number of air.
     pub fn air(&mut self) -> u32 {
         self.number(Terminal::Block(BlockState::air()))
+    }
+
+    /// By terminal, whether nothing stands where it is.
+    pub fn are_nothing(&self) -> Vec<bool> {
+        let is_nothing = |terminal: &Terminal| match terminal {
+            Terminal::Block(state) => state.is_nothing(),
+            Terminal::Label(_) => false,
+        };
+        self.list.iter().map(is_nothing).collect()
+    }
+
+    /// The blocks of cells, which are indexed `[y, z, x]`.
+    pub fn grid(&self, cells: &Array3<u32>) -> Grid {
+        let (y, z, x) = cells.dim();
+        let mut grid = Grid::new(Cell::new(x as i32, y as i32, z as i32));
+        for ((y, z, x), terminal) in cells.indexed_iter() {
+            if let Terminal::Block(state) = &self.list[*terminal as usize]
+                && let Ok(id) = grid.intern(state)
+            {
+                grid.set(Cell::new(x as i32, y as i32, z as i32), id);
+            }
+        }
+        grid
     }
 
     fn number(&mut self, terminal: Terminal) -> u32 {

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Grid --cuboids--> boxes of one block state --split_boxes--> Tree --combine--> Kinds --emit--> OpGraph
+//!   \--weave--> further Grids                                                      |
 //!   \--exchanges--> planes where examples can be exchanged ------------------------/
 //! ```
 
@@ -20,6 +21,7 @@ mod neighbourhood;
 mod swaps;
 pub mod tree;
 mod variety;
+mod weave;
 
 use crate::grammar::Grammar;
 use crate::graph::OpGraph;
@@ -27,6 +29,7 @@ use crate::grid::Grid;
 use combine::Slab;
 use held::Held;
 use neighbourhood::Shown;
+use std::borrow::Cow;
 
 pub use crate::parse::Labels;
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
@@ -132,7 +135,8 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
 fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
     let mut terminals = Terminals::default();
     examples.iter().for_each(|example| terminals.enter(example));
-    let shown = may_mix(examples).then(|| Shown::by(examples, &mut terminals)).flatten();
+    let mut shown = may_mix(examples).then(|| Shown::by(examples, &mut terminals)).flatten();
+    let examples = &*with_woven(examples, shown.as_mut(), &terminals);
     let exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
     let group = |number: usize| exchanges.iter().find(|group| group.members.contains(&number));
     let sites = shown.map_or_else(Vec::new, |shown| {
@@ -153,6 +157,20 @@ fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
     };
     let kinds = combine::combine(&slabs, chance, held.labels());
     Ok(emit::emit(&kinds, &held, &exchanges, &terminals, examples))
+}
+
+/// The examples, and what can be woven of them.
+fn with_woven<'a>(
+    examples: &'a [Example],
+    shown: Option<&mut Shown>,
+    terminals: &Terminals,
+) -> Cow<'a, [Example]> {
+    let Some(shown) = shown else { return Cow::Borrowed(examples) };
+    let woven = weave::woven(examples, shown, terminals);
+    let further = woven.iter().map(|cells| Example::Blocks(terminals.grid(cells)));
+    let all = examples.iter().cloned().chain(further).collect();
+    shown.add(woven);
+    Cow::Owned(all)
 }
 
 /// Examples of more cells than this in all are given back as they are: to look for what they can exchange takes

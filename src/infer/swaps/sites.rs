@@ -36,14 +36,7 @@ pub fn sites(
 ) -> Vec<Vec<Site>> {
     let mut settled = Settled::by(examples);
     let holes = Holes::of(&shown.seen);
-    let is_nothing: Vec<bool> = terminals
-        .list
-        .iter()
-        .map(|terminal| match terminal {
-            Terminal::Block(state) => state.is_nothing(),
-            Terminal::Label(_) => false,
-        })
-        .collect();
+    let is_nothing = terminals.are_nothing();
     let mut all = Vec::new();
     for (number, example) in examples.iter().enumerate() {
         let Example::Blocks(grid) = example else { continue };
@@ -128,7 +121,8 @@ fn site(shown: &Shown, example: usize, bounds: Bounds, swaps: &[Swap]) -> Site {
         content
     });
     let contents = std::iter::once(own.clone()).chain(instead);
-    let same_size = || shown.cells.iter().filter(|cells| cells.dim() == shown.cells[example].dim());
+    let examples = || shown.cells.iter().take(shown.examples);
+    let same_size = || examples().filter(|cells| cells.dim() == shown.cells[example].dim());
     let count = |content: &Array3<u32>| same_size().filter(|cells| cut(cells, bounds) == content).count();
     let contents = contents.map(|content| {
         let count = count(&content).max(1) as u32;
