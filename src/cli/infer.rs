@@ -243,7 +243,9 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize, outline: Option<Outline>)
     report::note(&format!("{examples} of {examples} examples reproduced, by {rules}"));
     report::note(&match ways > examples as f64 {
         true => format!("there are {} through the rules", count(ways, "way")),
-        false => "the rules make only the examples again: no part could be exchanged between them".to_owned(),
+        false => "the rules make only the examples again: nothing else shows only what stands beside one another in \
+                  them. More examples help, or `--freedom free`"
+            .to_owned(),
     });
     if let Some(outline) = outline {
         report::note(&scores(&outline));

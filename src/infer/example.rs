@@ -2,11 +2,11 @@
 
 use super::tree::{Node, NodeId, Part, Tree, TreeBuilder};
 use super::{BadBoxes, PLAN_FIRST, UPRIGHT_FIRST, cuboids, split_boxes};
-use crate::block::{BlockState, Palette, PaletteFull, complete};
+use crate::block::{BlockState, Mirror, Palette, PaletteFull, complete};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::neighbours::unsettle;
 use crate::parse::Parser;
-use crate::space::{Axis, Bounds, Cell};
+use crate::space::{Axis, Bounds, Cell, Turn};
 use ndarray::Array3;
 use std::collections::BTreeMap;
 
@@ -110,6 +110,13 @@ impl Example {
             Example::Blocks(grid) => Some(grid),
             Example::Boxes(_) => None,
         }
+    }
+
+    /// The example as it looks turned and mirrored, itself among them; none of labelled boxes.
+    pub fn images(&self) -> Vec<Example> {
+        let Example::Blocks(grid) = self else { return Vec::new() };
+        let turned = (0..4).map(|quarters| grid.turned(Turn::quarters(quarters)));
+        turned.flat_map(|grid| [grid.mirrored(Mirror::X), grid]).map(Example::Blocks).collect()
     }
 
     /// The box that the example fills.

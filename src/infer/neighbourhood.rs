@@ -68,11 +68,13 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// `None` for labelled boxes.
-    pub fn by(examples: &[Example], terminals: &mut Terminals) -> Option<Shown> {
+    /// What `images` show counts as seen as well. `None` for labelled boxes.
+    pub fn by(examples: &[Example], images: &[Example], terminals: &mut Terminals) -> Option<Shown> {
         let cells = examples.iter().map(|example| example.cells(terminals)).collect::<Option<Vec<_>>>()?;
         let bordered: Vec<Array3<u32>> = cells.iter().map(bordered).collect();
-        let seen = Seen::of(&bordered);
+        let images: Vec<Array3<u32>> =
+            images.iter().filter_map(|image| Some(self::bordered(&image.cells(terminals)?))).collect();
+        let seen = Seen::of(bordered.iter().chain(&images));
         Some(Shown { examples: cells.len(), cells, bordered, seen })
     }
 

@@ -21,9 +21,9 @@ pub struct Settled {
 }
 
 impl Settled {
-    pub fn by(examples: &[Example]) -> Settled {
+    pub fn by<'a>(examples: impl IntoIterator<Item = &'a Example>) -> Settled {
         let mut terminals = Terminals::default();
-        let grids = examples.iter().filter_map(|example| example.clone().into_grid());
+        let grids = examples.into_iter().filter_map(|example| example.clone().into_grid());
         let cells: Vec<Array3<u32>> = grids.filter_map(|grid| settled(grid, &mut terminals)).collect();
         Settled { seen: Seen::of(&cells), terminals }
     }

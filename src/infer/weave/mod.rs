@@ -8,7 +8,7 @@
 mod faces;
 mod loom;
 
-use super::example::{Example, Terminals};
+use super::example::Terminals;
 use super::neighbourhood::{Shown, bordered};
 use super::swaps::{Frame, Settled};
 use crate::space::Axis;
@@ -40,18 +40,22 @@ struct Cut {
     length: usize,
 }
 
-/// The buildings that can be woven of examples, in the order of those that they begin like. They show only
-/// neighbourhoods that the examples show, are as sound as these, and none is an example with more or less air around
-/// it.
-pub fn woven(examples: &[Example], shown: &Shown, terminals: &Terminals) -> Vec<Array3<u32>> {
+/// The buildings that can be woven of examples, in the order of those that they begin like, of which those are left out
+/// that need no more. They show only neighbourhoods that are seen, are as sound as the examples, and none is an example
+/// with more or less air around it.
+pub fn woven(
+    shown: &Shown,
+    terminals: &Terminals,
+    settled: &mut Settled,
+    needs_more: impl Fn(usize) -> bool,
+) -> Vec<Array3<u32>> {
     let is_nothing = terminals.are_nothing();
     let frames: Vec<Frame> =
         shown.bordered.iter().map(|cells| Frame::of(cells, &is_nothing, &terminals.list)).collect();
     let looms: Vec<Across> = Axis::ALL.into_iter().map(|axis| Across::new(axis, shown)).collect();
-    let mut settled = Settled::by(examples);
     let mut known: BTreeSet<Core> = shown.cells.iter().map(|cells| core(cells, &is_nothing)).collect();
     let mut all = Vec::new();
-    for own in 0..shown.cells.len() {
+    for own in (0..shown.cells.len()).filter(|own| needs_more(*own)) {
         let mut made: Vec<(Axis, usize, usize)> = Vec::new();
         for cut in cuts(own, &looms).into_iter().take(MOST_TRIED) {
             let sort = (cut.axis, cut.length, cut.other);
@@ -195,4 +199,77 @@ fn core(cells: &Array3<u32>, is_nothing: &[bool]) -> Core {
     }
     let (y, z, x) = view.dim();
     ([y, z, x], view.iter().copied().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::block::BlockState;
+    use crate::grid::Grid;
+    use crate::infer::example::Example;
+    use crate::infer::neighbourhood::{corners, neighbourhood};
+    use crate::space::Cell;
+    use proptest::prelude::*;
+
+    /// Layers of one block each, along an axis.
+    fn rod(axis: Axis, blocks: &[&str]) -> Example {
+        let mut grid = Grid::new(Cell::ONE + axis.unit() * (blocks.len() as i32 - 1));
+        for (at, name) in (0..).zip(blocks) {
+            let id = grid.intern(&BlockState::new(name).unwrap()).unwrap();
+            grid.set(axis.unit() * at, id);
+        }
+        Example::Blocks(grid)
+    }
+
+    fn woven_of(examples: &[Example]) -> (Shown, Vec<Array3<u32>>) {
+        let mut terminals = Terminals::default();
+        terminals.enter(&Example::Blocks(Grid::new(Cell::ONE)));
+        examples.iter().for_each(|example| terminals.enter(example));
+        let shown = Shown::by(examples, &[], &mut terminals).unwrap();
+        let mut settled = Settled::by(examples);
+        let woven = woven(&shown, &terminals, &mut settled, |_| true);
+        (shown, woven)
+    }
+
+    #[test]
+    fn what_repeats_becomes_longer_and_shorter() {
+        for axis in Axis::ALL {
+            let (_, woven) = woven_of(&[rod(axis, &["bricks", "stone", "stone", "stone", "glass"])]);
+            let mut lengths: Vec<usize> = woven.iter().map(|cells| cells.len()).collect();
+            lengths.sort_unstable();
+            assert_eq!(lengths, [3, 4, 6, 7], "{axis:?}");
+        }
+    }
+
+    #[test]
+    fn what_never_repeats_stays() {
+        let (_, woven) = woven_of(&[rod(Axis::X, &["bricks", "stone", "dirt", "glass"])]);
+        assert_eq!(woven, [] as [Array3<u32>; 0]);
+    }
+
+    #[test]
+    fn one_goes_on_as_another() {
+        let first = rod(Axis::X, &["bricks", "stone", "dirt", "glass"]);
+        let second = rod(Axis::X, &["sand", "stone", "dirt", "clay"]);
+        let (_, woven) = woven_of(&[first, second]);
+        assert_eq!(woven.len(), 2);
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_is_shown_that_was_not_seen(ids in prop::collection::vec(0..3usize, 4 * 3 * 3)) {
+            let mut grid = Grid::new(Cell::new(4, 3, 3));
+            for (cell, id) in grid.bounds().cells().zip(ids) {
+                let state = BlockState::new(["air", "stone", "glass"][id]).unwrap();
+                let id = grid.intern(&state).unwrap();
+                grid.set(cell, id);
+            }
+            let (shown, woven) = woven_of(&[Example::Blocks(grid)]);
+            for cells in woven.iter().map(bordered) {
+                prop_assert!(
+                    corners(cells.dim()).all(|corner| shown.seen.contains(&neighbourhood(&cells, corner)))
+                );
+            }
+        }
+    }
 }
