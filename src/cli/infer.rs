@@ -48,7 +48,7 @@ pub struct Args {
     /// How examples of blocks become rules; labelled boxes are always learnt by `boxes`
     #[arg(long, value_enum, default_value_t)]
     method: Method,
-    /// How far what is learnt may leave the examples; for `joint` only
+    /// How far what is learnt may leave the examples
     #[arg(long, value_enum, default_value_t)]
     freedom: Freedom,
     #[command(flatten)]
@@ -72,7 +72,7 @@ enum Freedom {
     /// Blocks stand beside one another only as they do in an example
     #[default]
     Seen,
-    /// Whatever the shortest description allows
+    /// Whatever the shortest description allows; by `boxes`, also as they do in an example turned or mirrored
     Free,
 }
 

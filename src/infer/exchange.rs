@@ -116,7 +116,7 @@ fn straddling<'a>(
 }
 
 /// The axis of an array of cells, which is indexed `[y, z, x]`.
-fn array_axis(axis: Axis) -> usize {
+pub fn array_axis(axis: Axis) -> usize {
     match axis {
         Axis::Y => 0,
         Axis::Z => 1,

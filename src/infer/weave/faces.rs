@@ -1,5 +1,6 @@
 //! Faces: 2 x 2 cells across an axis. A neighbourhood is two faces, one behind the other.
 
+use crate::infer::exchange::array_axis;
 use crate::infer::neighbourhood::{Neighbourhood, Seen};
 use crate::space::Axis;
 use ndarray::{Array2, Array3};
@@ -69,15 +70,6 @@ impl Faces {
 
     pub fn may_follow(&self, low: u32, high: u32) -> bool {
         self.behind(low).binary_search(&high).is_ok()
-    }
-}
-
-/// The axis of an array of cells, which is indexed `[y, z, x]`.
-pub fn array_axis(axis: Axis) -> usize {
-    match axis {
-        Axis::Y => 0,
-        Axis::Z => 1,
-        Axis::X => 2,
     }
 }
 

@@ -9,10 +9,11 @@ mod faces;
 mod loom;
 
 use super::example::Terminals;
+use super::exchange::array_axis;
 use super::neighbourhood::{Shown, bordered};
 use super::swaps::{Frame, Settled};
 use crate::space::Axis;
-use faces::{Faces, array_axis};
+use faces::Faces;
 use loom::{Ends, Loom};
 use ndarray::{Array2, Array3, ArrayView3, Slice, concatenate};
 use std::collections::BTreeSet;
