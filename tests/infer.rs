@@ -166,6 +166,42 @@ fn storeys_are_exchanged_where_no_seam_is_new() {
     assert!(samples.iter().all(|grid| neighbourhoods(grid).is_subset(&seen)));
 }
 
+#[test]
+fn houses_that_share_no_plan_become_longer_where_no_seam_is_new() {
+    let house = |end: &str| {
+        let text = format!(
+            "size(6, 3, 3)
+             house --> split(x){{ 1 : I(stone) | ~1 : I(glass) | 1 : I({end}) }}"
+        );
+        Example::Blocks(sample(&graph_of(&text), 0))
+    };
+    let examples = [house("bricks"), house("dirt")];
+    let graph = infer(&examples, Method::Boxes, Freedom::Seen).unwrap().graph;
+    let seen: BTreeSet<_> = examples
+        .iter()
+        .filter_map(|example| example.clone().into_grid())
+        .flat_map(|grid| neighbourhoods(&grid))
+        .collect();
+    let samples: Vec<Grid> = (0..40).map(|seed| sample(&graph, seed)).collect();
+    assert!(samples.iter().any(|grid| grid.size().x > 6));
+    assert!(samples.iter().all(|grid| neighbourhoods(grid).is_subset(&seen)));
+}
+
+#[test]
+fn with_freedom_a_mirrored_seam_is_as_good_as_another() {
+    let house = || {
+        let text = "size(4, 1, 1)
+             house --> split(x){ 1 : I(bricks) | 1 : I(stone) | 1 : I(sand) | 1 : I(dirt) }";
+        Example::Blocks(sample(&graph_of(text), 0))
+    };
+    let lengths = |freedom: Freedom| -> BTreeSet<i32> {
+        let graph = infer(&[house(), house()], Method::Boxes, freedom).unwrap().graph;
+        (0..40).map(|seed| sample(&graph, seed).size().x).collect()
+    };
+    assert_eq!(lengths(Freedom::Seen), BTreeSet::from([4]));
+    assert!(lengths(Freedom::Free).contains(&6));
+}
+
 /// Each of two houses has one door, in the left or in the right half: exchanging the halves would leave a
 /// house without a door, or one with two, though no seam would be new.
 #[test]

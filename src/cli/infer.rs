@@ -48,7 +48,7 @@ pub struct Args {
     /// How examples of blocks become rules; labelled boxes are always learnt by `boxes`
     #[arg(long, value_enum, default_value_t)]
     method: Method,
-    /// How far what is learnt may leave the examples; for `joint` only
+    /// How far what is learnt may leave the examples
     #[arg(long, value_enum, default_value_t)]
     freedom: Freedom,
     #[command(flatten)]
@@ -72,7 +72,7 @@ enum Freedom {
     /// Blocks stand beside one another only as they do in an example
     #[default]
     Seen,
-    /// Whatever the shortest description allows
+    /// Whatever the shortest description allows; by `boxes`, also as they do in an example turned or mirrored
     Free,
 }
 
@@ -243,7 +243,10 @@ fn tell(args: &Args, graph: &OpGraph, examples: usize, outline: Option<Outline>)
     report::note(&format!("{examples} of {examples} examples reproduced, by {rules}"));
     let makes_more = outline.map_or(ways > examples as f64, |outline| outline.novelty > 0.0);
     if !makes_more {
-        report::note("the rules make only the examples again: no part could be exchanged between them");
+        report::note(
+            "the rules make only the examples again: nothing else shows only what stands beside one another in them. \
+             More examples help, or `--freedom free`",
+        );
     }
     if let Some(outline) = outline {
         report::note(&scores(&outline));

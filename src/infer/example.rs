@@ -2,11 +2,11 @@
 
 use super::tree::{Node, NodeId, Part, Tree, TreeBuilder};
 use super::{BadBoxes, PLAN_FIRST, UPRIGHT_FIRST, cuboids, split_boxes};
-use crate::block::{BlockState, Palette, PaletteFull, complete};
+use crate::block::{BlockState, Mirror, Palette, PaletteFull, complete};
 use crate::grid::{Grid, LabelledBoxes};
 use crate::neighbours::unsettle;
 use crate::parse::Parser;
-use crate::space::{Axis, Bounds};
+use crate::space::{Axis, Bounds, Cell, Turn};
 use ndarray::Array3;
 use std::collections::BTreeMap;
 
@@ -57,6 +57,29 @@ impl Terminals {
         self.number(Terminal::Block(BlockState::air()))
     }
 
+    /// By terminal, whether nothing stands where it is.
+    pub fn are_nothing(&self) -> Vec<bool> {
+        let is_nothing = |terminal: &Terminal| match terminal {
+            Terminal::Block(state) => state.is_nothing(),
+            Terminal::Label(_) => false,
+        };
+        self.list.iter().map(is_nothing).collect()
+    }
+
+    /// The blocks of cells, which are indexed `[y, z, x]`.
+    pub fn grid(&self, cells: &Array3<u32>) -> Grid {
+        let (y, z, x) = cells.dim();
+        let mut grid = Grid::new(Cell::new(x as i32, y as i32, z as i32));
+        for ((y, z, x), terminal) in cells.indexed_iter() {
+            if let Terminal::Block(state) = &self.list[*terminal as usize]
+                && let Ok(id) = grid.intern(state)
+            {
+                grid.set(Cell::new(x as i32, y as i32, z as i32), id);
+            }
+        }
+        grid
+    }
+
     fn number(&mut self, terminal: Terminal) -> u32 {
         *self.numbers.entry(terminal.clone()).or_insert_with(|| {
             self.list.push(terminal);
@@ -87,6 +110,13 @@ impl Example {
             Example::Blocks(grid) => Some(grid),
             Example::Boxes(_) => None,
         }
+    }
+
+    /// The example as it looks turned and mirrored, itself among them; none of labelled boxes.
+    pub fn images(&self) -> Vec<Example> {
+        let Example::Blocks(grid) = self else { return Vec::new() };
+        let turned = (0..4).map(|quarters| grid.turned(Turn::quarters(quarters)));
+        turned.flat_map(|grid| [grid.mirrored(Mirror::X), grid]).map(Example::Blocks).collect()
     }
 
     /// The box that the example fills.

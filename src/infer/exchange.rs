@@ -57,6 +57,17 @@ pub fn exchanges(examples: &[Example], shown: Option<&Shown>, terminals: &Termin
 }
 
 impl Exchange {
+    /// Of an example by itself, which is not exchanged.
+    pub fn alone(member: usize) -> Exchange {
+        Exchange { members: vec![member], axis: Axis::Y, planes: Vec::new() }
+    }
+
+    /// Whether something else can stand past a plane of an example.
+    pub fn exchanges(&self, member: usize) -> bool {
+        let is_exchanged = |plane: &Plane| self.exchangeable(plane, member).len() > 1;
+        self.members.contains(&member) && self.planes.iter().any(is_exchanged)
+    }
+
     /// Whether what a box of an example holds stands beside no plane: nothing past a plane has a say in it.
     pub fn leaves_whole(&self, bounds: Bounds) -> bool {
         let (low, high) = (self.axis.of(bounds.min), self.axis.of(bounds.max));
@@ -105,7 +116,7 @@ fn straddling<'a>(
 }
 
 /// The axis of an array of cells, which is indexed `[y, z, x]`.
-fn array_axis(axis: Axis) -> usize {
+pub fn array_axis(axis: Axis) -> usize {
     match axis {
         Axis::Y => 0,
         Axis::Z => 1,

@@ -2,12 +2,10 @@
 
 use super::BadBoxes;
 use super::combine::{Chance, Kinds, Slab, combine};
-use super::example::{Example, Terminal, Terminals};
+use super::example::{Example, Terminals};
 use super::swaps::Site;
 use super::tree::Tree;
-use crate::grid::Grid;
-use crate::space::{Bounds, Cell};
-use ndarray::Array3;
+use crate::space::Bounds;
 use std::collections::BTreeSet;
 
 /// The sites of all examples; those that hold the same are one.
@@ -77,22 +75,10 @@ impl Held {
 fn contents(site: &Site, terminals: &mut Terminals) -> Vec<Slab> {
     let bounds = Bounds::of_size(site.bounds.size());
     let trees = site.contents.iter().filter_map(|(content, _)| {
-        let example = Example::Blocks(grid(content, bounds.size(), terminals));
+        let example = Example::Blocks(terminals.grid(content));
         let boxes = example.boxes(terminals, &[]);
         // Cuboids lie in their grid and do not overlap.
         example.tree(bounds, &boxes).ok()
     });
     trees.map(|tree| Slab { bounds: site.bounds, tree }).collect()
-}
-
-fn grid(content: &Array3<u32>, size: Cell, terminals: &Terminals) -> Grid {
-    let mut grid = Grid::new(size);
-    for ((y, z, x), terminal) in content.indexed_iter() {
-        if let Terminal::Block(state) = &terminals.list[*terminal as usize]
-            && let Ok(id) = grid.intern(state)
-        {
-            grid.set(Cell::new(x as i32, y as i32, z as i32), id);
-        }
-    }
-    grid
 }

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! Grid --cuboids--> boxes of one block state --split_boxes--> Tree --combine--> Kinds --emit--> OpGraph
+//!   \--weave--> further Grids                                                      |
 //!   \--exchanges--> planes where examples can be exchanged ------------------------/
 //! ```
 
@@ -14,19 +15,24 @@ mod exchange;
 mod fold;
 mod held;
 mod joint;
+mod kinship;
 mod law;
 mod naming;
 mod neighbourhood;
 mod swaps;
 pub mod tree;
 mod variety;
+mod weave;
 
 use crate::grammar::Grammar;
 use crate::graph::OpGraph;
 use crate::grid::Grid;
 use combine::Slab;
+use exchange::Exchange;
 use held::Held;
 use neighbourhood::Shown;
+use std::borrow::Cow;
+use swaps::{Settled, Site};
 
 pub use crate::parse::Labels;
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
@@ -99,7 +105,8 @@ pub enum Freedom {
     /// Nothing stands beside one another that does so in no example.
     #[default]
     Seen,
-    /// Whatever the shortest description allows.
+    /// Whatever the shortest description allows. Of buildings that are learnt one by one, also what stands beside one
+    /// another in examples that are turned or mirrored.
     Free,
 }
 
@@ -123,26 +130,53 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
     });
     let grids: Vec<&Grid> = grids.collect();
     let learnt = match method {
-        Method::Joint => joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open), Ok),
-        Method::Boxes => by_boxes(&open),
+        Method::Joint if freedom == Freedom::Free || kinship::are_kin(&open) => {
+            joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open, freedom), Ok)
+        }
+        Method::Joint | Method::Boxes => by_boxes(&open, freedom),
     };
     Ok(naming::name(learnt?, examples))
 }
 
-fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
+fn by_boxes(examples: &[Example], freedom: Freedom) -> Result<Learnt, InferError> {
     let mut terminals = Terminals::default();
     examples.iter().for_each(|example| terminals.enter(example));
-    let shown = may_mix(examples).then(|| Shown::by(examples, &mut terminals)).flatten();
-    let exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
-    let group = |number: usize| exchanges.iter().find(|group| group.members.contains(&number));
-    let sites = shown.map_or_else(Vec::new, |shown| {
-        let is_whole = |number, bounds| group(number).is_none_or(|group| group.leaves_whole(bounds));
-        swaps::sites(examples, &shown, &terminals, is_whole)
-    });
+    let images = match freedom {
+        Freedom::Seen => Vec::new(),
+        Freedom::Free => examples.iter().flat_map(Example::images).collect(),
+    };
+    let mut shown = may_mix(examples).then(|| Shown::by(examples, &images, &mut terminals)).flatten();
+    let mut exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
+    let mut sites = Vec::new();
+    let mut all = Cow::Borrowed(examples);
+    if let Some(shown) = &mut shown {
+        let mut settled = Settled::by(examples.iter().chain(&images));
+        sites = swaps::sites(examples, shown, &terminals, &mut settled, &exchanges);
+        let is_alike = |own: usize| ways(own, &sites[own], &exchanges) < MANY_WAYS;
+        let woven = weave::woven(shown, &terminals, &mut settled, is_alike);
+        if !woven.is_empty() {
+            all.to_mut().extend(woven.iter().map(|cells| Example::Blocks(terminals.grid(cells))));
+            shown.add(woven);
+            exchanges.extend((examples.len()..all.len()).map(Exchange::alone));
+            let further = swaps::sites(&all[examples.len()..], shown, &terminals, &mut settled, &exchanges);
+            sites.extend(further);
+        }
+    }
+    learnt_apart(&all, sites, &exchanges, terminals)
+}
+
+/// What is learnt of examples with their sites, and of where they can be exchanged.
+fn learnt_apart(
+    examples: &[Example],
+    sites: Vec<Vec<Site>>,
+    exchanges: &[Exchange],
+    mut terminals: Terminals,
+) -> Result<Learnt, InferError> {
     let held = Held::new(sites, &mut terminals);
     let mut slabs = Vec::new();
     for (number, example) in examples.iter().enumerate() {
-        let boxes = group(number).map_or_else(Vec::new, |group| group.slabs(example.bounds()));
+        let group = exchanges.iter().find(|group| group.members.contains(&number));
+        let boxes = group.map_or_else(Vec::new, |group| group.slabs(example.bounds()));
         let trees = held.trees(number, example, &boxes, &mut terminals);
         let trees = trees.map_err(|problem| InferError::Boxes { example: number, problem })?;
         slabs.extend(boxes.into_iter().zip(trees).map(|(bounds, tree)| Slab { bounds, tree }));
@@ -152,7 +186,17 @@ fn by_boxes(examples: &[Example]) -> Result<Learnt, InferError> {
         _ => combine::Chance::Anywhere,
     };
     let kinds = combine::combine(&slabs, chance, held.labels());
-    Ok(emit::emit(&kinds, &held, &exchanges, &terminals, examples))
+    Ok(emit::emit(&kinds, &held, exchanges, &terminals, examples))
+}
+
+/// An example that can be made in so many ways is not woven into further ones: nine of ten are new already.
+const MANY_WAYS: usize = 10;
+
+/// In how many ways an example can be made with what its sites hold; many if it can be exchanged with others.
+fn ways(example: usize, sites: &[Site], exchanges: &[Exchange]) -> usize {
+    let is_exchanged = exchanges.iter().any(|group| group.exchanges(example));
+    let held = sites.iter().map(|site| site.contents.len());
+    if is_exchanged { usize::MAX } else { held.fold(1, usize::saturating_mul) }
 }
 
 /// Examples of more cells than this in all are given back as they are: to look for what they can exchange takes

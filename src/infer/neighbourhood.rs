@@ -59,6 +59,8 @@ impl Seen {
 /// Examples of blocks as arrays of terminals, and what they show.
 #[derive(Debug)]
 pub struct Shown {
+    /// How many there are. Buildings that show nothing further may come after them.
+    pub examples: usize,
     pub cells: Vec<Array3<u32>>,
     /// The same with a border one cell wide.
     pub bordered: Vec<Array3<u32>>,
@@ -66,12 +68,20 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// `None` for labelled boxes.
-    pub fn by(examples: &[Example], terminals: &mut Terminals) -> Option<Shown> {
+    /// What `images` show counts as seen as well. `None` for labelled boxes.
+    pub fn by(examples: &[Example], images: &[Example], terminals: &mut Terminals) -> Option<Shown> {
         let cells = examples.iter().map(|example| example.cells(terminals)).collect::<Option<Vec<_>>>()?;
         let bordered: Vec<Array3<u32>> = cells.iter().map(bordered).collect();
-        let seen = Seen::of(&bordered);
-        Some(Shown { cells, bordered, seen })
+        let images: Vec<Array3<u32>> =
+            images.iter().filter_map(|image| Some(self::bordered(&image.cells(terminals)?))).collect();
+        let seen = Seen::of(bordered.iter().chain(&images));
+        Some(Shown { examples: cells.len(), cells, bordered, seen })
+    }
+
+    /// Adds buildings that show nothing which the examples do not.
+    pub fn add(&mut self, further: Vec<Array3<u32>>) {
+        self.bordered.extend(further.iter().map(bordered));
+        self.cells.extend(further);
     }
 }
 

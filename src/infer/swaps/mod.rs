@@ -19,6 +19,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 pub use sites::{Site, sites};
+pub use sound::{Frame, Settled};
 
 /// Cells of one example, in the order of their places in its array with a border, each with the terminal that it
 /// holds instead.

@@ -5,6 +5,7 @@ use super::sound::{Settled, Standing, keeps_fixtures};
 use super::{Swap, swaps};
 use crate::grid::Grid;
 use crate::infer::example::{Example, Terminal, Terminals};
+use crate::infer::exchange::Exchange;
 use crate::infer::neighbourhood::Shown;
 use crate::space::Bounds;
 use ndarray::{Array3, s};
@@ -27,32 +28,30 @@ const MOST_SWAPS: usize = 4;
 /// Swaps with at most this many cells between them may decide together how a block stands.
 const NEAR: i32 = 3;
 
-/// The sites of each example. `is_whole` tells whether a box of an example may be a part of its own.
+/// The sites of each of `examples`, which are the last ones of those shown. What lies beside a plane where an example
+/// is exchanged is no part of its own.
 pub fn sites(
     examples: &[Example],
     shown: &Shown,
     terminals: &Terminals,
-    is_whole: impl Fn(usize, Bounds) -> bool,
+    settled: &mut Settled,
+    exchanges: &[Exchange],
 ) -> Vec<Vec<Site>> {
-    let mut settled = Settled::by(examples);
+    let is_whole = |number: usize, bounds: Bounds| {
+        let group = exchanges.iter().find(|group| group.members.contains(&number));
+        group.is_none_or(|group| group.leaves_whole(bounds))
+    };
     let holes = Holes::of(&shown.seen);
-    let is_nothing: Vec<bool> = terminals
-        .list
-        .iter()
-        .map(|terminal| match terminal {
-            Terminal::Block(state) => state.is_nothing(),
-            Terminal::Label(_) => false,
-        })
-        .collect();
+    let is_nothing = terminals.are_nothing();
     let mut all = Vec::new();
-    for (number, example) in examples.iter().enumerate() {
+    for (number, example) in (shown.cells.len() - examples.len()..).zip(examples) {
         let Example::Blocks(grid) = example else { continue };
         let cells = &shown.bordered[number];
         let mut chosen = Chosen {
             grid,
             states: &terminals.list,
             is_nothing: &is_nothing,
-            settled: &mut settled,
+            settled,
             standing: Standing::new(cells, &is_nothing),
             places: Vec::new(),
         };
@@ -128,7 +127,8 @@ fn site(shown: &Shown, example: usize, bounds: Bounds, swaps: &[Swap]) -> Site {
         content
     });
     let contents = std::iter::once(own.clone()).chain(instead);
-    let same_size = || shown.cells.iter().filter(|cells| cells.dim() == shown.cells[example].dim());
+    let examples = || shown.cells.iter().take(shown.examples);
+    let same_size = || examples().filter(|cells| cells.dim() == shown.cells[example].dim());
     let count = |content: &Array3<u32>| same_size().filter(|cells| cut(cells, bounds) == content).count();
     let contents = contents.map(|content| {
         let count = count(&content).max(1) as u32;

@@ -2,9 +2,9 @@
 
 use super::Swap;
 use crate::block::{self, Shape};
-use crate::grid::{Grid, Neighbours, floating, reached_from_outside};
+use crate::grid::{Grid, Neighbours, components, floating, reached_from_outside};
 use crate::infer::example::{Example, Terminal, Terminals};
-use crate::infer::neighbourhood::{Place, Seen, bordered, corners_around, neighbourhood, place};
+use crate::infer::neighbourhood::{Place, Seen, bordered, corners, corners_around, neighbourhood, place};
 use crate::neighbours::settle;
 use crate::space::{Bounds, Cell};
 use ndarray::Array3;
@@ -21,9 +21,9 @@ pub struct Settled {
 }
 
 impl Settled {
-    pub fn by(examples: &[Example]) -> Settled {
+    pub fn by<'a>(examples: impl IntoIterator<Item = &'a Example>) -> Settled {
         let mut terminals = Terminals::default();
-        let grids = examples.iter().filter_map(|example| example.clone().into_grid());
+        let grids = examples.into_iter().filter_map(|example| example.clone().into_grid());
         let cells: Vec<Array3<u32>> = grids.filter_map(|grid| settled(grid, &mut terminals)).collect();
         Settled { seen: Seen::of(&cells), terminals }
     }
@@ -42,6 +42,14 @@ impl Settled {
         let corners = cells_of.flat_map(|(cell, _)| corners_around(place(cell - part.min)));
         let around: BTreeSet<Place> = corners.flat_map(|corner| near(corner, cells.dim())).collect();
         around.into_iter().all(|corner| self.seen.contains(&neighbourhood(&cells, corner)))
+    }
+
+    /// Whether a building shows nothing that no example shows.
+    pub fn shows_all(&mut self, building: Grid) -> bool {
+        let cells = settled(building, &mut self.terminals);
+        cells.is_some_and(|cells| {
+            corners(cells.dim()).all(|corner| self.seen.contains(&neighbourhood(&cells, corner)))
+        })
     }
 }
 
@@ -114,11 +122,42 @@ impl Standing {
     }
 }
 
+/// What tells whether a building is as sound as another one.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Frame {
+    floating: usize,
+    /// How many pieces of air there are that are not reached from outside while all doors are shut.
+    rooms: u32,
+    /// How many cells of doors and of beds there are.
+    fixtures: [usize; 2],
+}
+
+impl Frame {
+    /// Of a building with a border, which is open. `is_nothing` is by terminal.
+    pub fn of(cells: &Array3<u32>, is_nothing: &[bool], states: &[Terminal]) -> Frame {
+        let standing = Standing::new(cells, is_nothing);
+        let rooms = components(&standing.indoors, Neighbours::Faces).iter().max().copied().unwrap_or(0);
+        let shapes: Vec<Option<Shape>> = states.iter().map(shape).collect();
+        let count = |is: fn(Shape) -> bool| {
+            let shapes = cells.iter().filter_map(|terminal| *shapes.get(*terminal as usize)?);
+            shapes.filter(|shape| is(*shape)).count()
+        };
+        Frame { floating: standing.floating, rooms, fixtures: FIXTURES.map(count) }
+    }
+
+    /// Whether it has as many rooms, doors and beds, and floats no more.
+    pub fn is_as_sound_as(&self, other: &Frame) -> bool {
+        self.rooms == other.rooms && self.fixtures == other.fixtures && self.floating <= other.floating
+    }
+}
+
+/// What a house has to have as often as the examples.
+const FIXTURES: [fn(Shape) -> bool; 2] =
+    [|shape| matches!(shape, Shape::Door(_)), |shape| matches!(shape, Shape::Bed(_))];
+
 /// Whether as many doors and beds stand in an example with a swap as without it.
 pub fn keeps_fixtures(cells: &Array3<u32>, swap: &Swap, states: &[Terminal]) -> bool {
-    let fixtures: [fn(Shape) -> bool; 2] =
-        [|shape| matches!(shape, Shape::Door(_)), |shape| matches!(shape, Shape::Bed(_))];
-    fixtures.into_iter().all(|is| {
+    FIXTURES.into_iter().all(|is| {
         let (before, after): (Vec<bool>, Vec<bool>) =
             changes(cells, swap, states).map(|(old, new)| (old.is_some_and(is), new.is_some_and(is))).unzip();
         before.iter().filter(|is| **is).count() == after.iter().filter(|is| **is).count()
@@ -131,17 +170,21 @@ pub fn keeps_body(cells: &Array3<u32>, swap: &Swap, states: &[Terminal]) -> bool
     changes(cells, swap, states).all(|change| change != (full, air) && change != (air, full))
 }
 
+fn shape(terminal: &Terminal) -> Option<Shape> {
+    match terminal {
+        Terminal::Block(state) if state.is_nothing() => Some(Shape::Air),
+        Terminal::Block(state) => Some(block::shape(state)),
+        Terminal::Label(_) => None,
+    }
+}
+
 /// The shapes of what stands in the cells of a swap without it and with it.
 fn changes<'a>(
     cells: &'a Array3<u32>,
     swap: &'a Swap,
     states: &'a [Terminal],
 ) -> impl Iterator<Item = (Option<Shape>, Option<Shape>)> + 'a {
-    let shape = |terminal: u32| match &states[terminal as usize] {
-        Terminal::Block(state) if state.is_nothing() => Some(Shape::Air),
-        Terminal::Block(state) => Some(block::shape(state)),
-        Terminal::Label(_) => None,
-    };
+    let shape = |terminal: u32| shape(&states[terminal as usize]);
     swap.0.iter().map(move |(place, terminal)| (shape(cells[*place]), shape(*terminal)))
 }
 
