@@ -91,8 +91,14 @@ impl Search<'_> {
         self.ways = 0;
         let now = neighbourhood(self.cells, place.map(|n| n - 1));
         for shown in self.holes.alike(&now, 1 << 7, 1) {
-            if shown[7] != now[7] && shown[7] != OUTSIDE {
-                self.settle(Draft::begin(place, shown[7]));
+            if shown[7] == now[7] || shown[7] == OUTSIDE {
+                continue;
+            }
+            let draft = Draft::begin(place, shown[7]);
+            match draft.open.iter().all(|corner| self.seen.contains(&self.now(&draft, *corner))) {
+                // Every longer one would hold it.
+                true => _ = self.found.insert(Swap::new(draft.changed)),
+                false => self.settle(draft),
             }
         }
     }
