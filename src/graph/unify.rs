@@ -106,6 +106,22 @@ impl OpGraph {
         Some(order)
     }
 
+    /// All nodes that the root leads to, each after its children but for those that lead back to it.
+    pub fn inner_first(&self) -> Vec<NodeIndex> {
+        let mut order = Vec::with_capacity(self.len());
+        let mut seen = vec![false; self.len()];
+        let mut open = vec![(self.root, false)];
+        while let Some((node, is_done)) = open.pop() {
+            if is_done {
+                order.push(node);
+            } else if !std::mem::replace(&mut seen[node.index()], true) {
+                open.push((node, true));
+                open.extend(self.children(node).map(|(_, child)| (child, false)));
+            }
+        }
+        order
+    }
+
     /// Whether several edges lead to a node.
     pub fn is_shared(&self, node: NodeIndex) -> bool {
         self.graph.edges_directed(node, Direction::Incoming).nth(1).is_some()

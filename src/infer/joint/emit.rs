@@ -8,6 +8,7 @@ use super::limits::Limits;
 use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
 use super::repeats::gcd;
 use super::scope::{Scope, Within};
+use super::slopes::Slope;
 use crate::grammar::ast::BinaryOp;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size, StartSize};
 use crate::infer::emit::{block_expr, data_version, sizes};
@@ -53,12 +54,16 @@ pub fn emit(
         scope: Scope::of(plan, root),
         builder: Builder::default(),
         nodes: FxHashMap::default(),
+        courses: Vec::new(),
     };
     let mut made: BTreeMap<NodeIndex, Vec<NodeId>> = BTreeMap::new();
     for (id, boxes) in all.iter().rev() {
         let node = emitter.node(*id, boxes);
         emitter.nodes.insert(*id, node);
         made.entry(node).or_default().push(*id);
+        for (course, id) in emitter.courses.drain(..) {
+            made.entry(course).or_default().push(id);
+        }
     }
     let node = emitter.nodes[&root];
     let (mut graph, kept) = emitter.builder.finish(node);
@@ -81,6 +86,8 @@ struct Emitter<'p> {
     limits: &'p Limits,
     builder: Builder,
     nodes: FxHashMap<NodeId, NodeIndex>,
+    /// The splits that take a course off a slope, each with the node that it belongs to.
+    courses: Vec<(NodeIndex, NodeId)>,
 }
 
 impl Emitter<'_> {
@@ -97,11 +104,43 @@ impl Emitter<'_> {
                 let child = self.child(*child, Within::rule(id));
                 self.builder.node(op, vec![(Arg::None, child)])
             }
+            Form::Slope { slope, course, end } => self.slope(id, slope, *course, *end),
             Form::Choose(_) => {
                 let alternatives = alternatives(self.plan, id, boxes).unwrap_or_default();
                 self.choose(id, &alternatives, boxes)
             }
         }
+    }
+
+    /// A rule that calls itself for what is left behind a course, until that is short.
+    fn slope(&mut self, id: NodeId, slope: &Slope, course: NodeId, end: NodeId) -> NodeIndex {
+        let itself = self.builder.later(Op::Choose);
+        self.nodes.insert(id, itself);
+        let within = Within::rule(id);
+        let nil = self.builder.nil();
+        let mut left = self.call(id, self.scope.free(id).to_vec(), within);
+        for (axis, (low, high)) in slope.peel.runs() {
+            let air = |len: i32| (len > 0).then(|| (absolute(len), nil));
+            let parts = air(low).into_iter().chain([(Size::floating(1.0), left)]).chain(air(high));
+            left = self.builder.split(Expr::Axis(axis), parts.collect());
+        }
+        let rise = (absolute(slope.peel.rise), self.child(course, within));
+        let goes_on = self.builder.split(Expr::Axis(Axis::Y), vec![rise, (Size::floating(1.0), left)]);
+        self.courses.push((goes_on, id));
+        let ends = self.child(end, within);
+        let when = |op, by| {
+            let of =
+                |(axis, most): (Axis, i32)| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(most)));
+            slope.ends().map(of).reduce(|left, right| binary(by, left, right))
+        };
+        let alternative =
+            |condition| Arg::Alternative(Alternative { condition, ..Alternative::plain(Expr::number(1.0)) });
+        let alternatives = vec![
+            (alternative(when(BinaryOp::Greater, BinaryOp::And)), goes_on),
+            (alternative(when(BinaryOp::LessEqual, BinaryOp::Or)), ends),
+        ];
+        self.builder.complete(itself, alternatives);
+        itself
     }
 
     /// A choice by how often each alternative was seen. One that cannot fill every box has a condition.
@@ -255,6 +294,10 @@ fn same_as(law: &Law) -> Option<usize> {
         Law::Same(part) => Some(*part),
         _ => None,
     }
+}
+
+fn absolute(len: i32) -> Size {
+    Size::absolute(Expr::number(f64::from(len)))
 }
 
 fn size_of(law: &Law) -> Size {

@@ -3,7 +3,7 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::{ALTERNATIVE, Estimates, REPEAT, choice};
+use super::estimate::{ALTERNATIVE, Estimates, REPEAT, SLOPE, choice};
 use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
@@ -11,6 +11,7 @@ use super::plan::{self, Form, How, NodeId, Plan};
 use super::planes::{Plane, Stands, planes};
 use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
+use super::slopes::{End, Slope};
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
@@ -53,6 +54,7 @@ const AHEAD_TAKES: u64 = 4;
 enum Step {
     Cut(Plane),
     Repeat(Period),
+    Slope(Slope),
     Choose(Vec<Boxes>),
 }
 
@@ -183,6 +185,7 @@ impl<'c> Explainer<'c> {
         match step {
             Step::Cut(plane) => self.cut(boxes, plane, search),
             Step::Repeat(period) => self.repeat(boxes, *period, search),
+            Step::Slope(slope) => self.slope(boxes, *slope, search),
             Step::Choose(groups) => self.choose(groups, search),
         }
     }
@@ -243,6 +246,7 @@ impl<'c> Explainer<'c> {
                 let units = dependence::units(self.corpus, boxes, *period);
                 dependence::of_units(self.corpus, &units, period.axis)
             }
+            Step::Slope(slope) => dependence::of_courses(self.corpus, boxes, slope),
             Step::Choose(_) => 0.0,
         }
     }
@@ -268,6 +272,13 @@ impl<'c> Explainer<'c> {
                     continue;
                 }
                 steps.push((REPEAT + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
+            }
+        }
+        for slope in Slope::of(self.corpus, boxes) {
+            let [courses, ends] = slope.parts(self.corpus, boxes);
+            if !self.is_kept(boxes) {
+                let bits = SLOPE + self.estimate(&courses) + self.estimate(&ends);
+                steps.push((bits, Step::Slope(slope)));
             }
         }
         steps
@@ -369,6 +380,13 @@ impl<'c> Explainer<'c> {
                 let bends = floating.map(|(_, child)| self.stretch(*child, along).max(Stretch::Bends));
                 bends.min().unwrap_or(Stretch::Stiff)
             }
+            // Air above a ridge may be as high as it likes.
+            Form::Slope { slope, end, .. } if along == Axis::Y => match slope.end {
+                End::Run(_) => self.stretch(*end, along).max(Stretch::Bends),
+                End::Rise(_) => Stretch::Stiff,
+            },
+            Form::Slope { slope, .. } if slope.peel.step(along) > 0 => Stretch::Stiff,
+            Form::Slope { course, end, .. } => self.stretch(*course, along).max(self.stretch(*end, along)),
             Form::Repeat { .. } | Form::Choose(_) => Stretch::Stiff,
         }
     }
@@ -378,6 +396,13 @@ impl<'c> Explainer<'c> {
         let child = self.explain(&units, search);
         let how = boxes.classes().map(|class| (class, How::Repeat));
         self.plan.add(Form::Repeat { axis: period.axis, unit: period.unit, child }, how)
+    }
+
+    fn slope(&mut self, boxes: &Boxes, slope: Slope, search: Search) -> NodeId {
+        let [courses, ends] = slope.parts(self.corpus, boxes);
+        let [course, end] = [courses, ends].map(|part| self.explain(&part, search));
+        let how = boxes.classes().map(|class| (class, How::Slope));
+        self.plan.add(Form::Slope { slope, course, end }, how)
     }
 
     fn choose(&mut self, groups: &[Boxes], search: Search) -> NodeId {

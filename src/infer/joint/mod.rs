@@ -30,6 +30,7 @@ mod replace;
 mod samples;
 mod scope;
 mod seams;
+mod slopes;
 mod volume;
 
 use super::example::{Example, Terminals};
