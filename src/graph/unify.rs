@@ -122,6 +122,23 @@ impl OpGraph {
         order
     }
 
+    /// Whether one or more edges lead from a node to another.
+    pub fn leads_to(&self, from: NodeIndex, to: NodeIndex) -> bool {
+        let mut seen = vec![false; self.len()];
+        let mut open = vec![from];
+        while let Some(node) = open.pop() {
+            for (_, child) in self.children(node) {
+                if child == to {
+                    return true;
+                }
+                if !std::mem::replace(&mut seen[child.index()], true) {
+                    open.push(child);
+                }
+            }
+        }
+        false
+    }
+
     /// Whether several edges lead to a node.
     pub fn is_shared(&self, node: NodeIndex) -> bool {
         self.graph.edges_directed(node, Direction::Incoming).nth(1).is_some()

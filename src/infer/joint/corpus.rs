@@ -1,8 +1,8 @@
 //! The boxes of all examples, those of equal content known by one number.
 
 use super::fold::{Token, folded};
+use super::peel::Peel;
 use super::seams::Seams;
-use super::slopes::Peel;
 use super::volume::Volume;
 use crate::grid::Content;
 use crate::space::{Axis, Bounds, Cell};

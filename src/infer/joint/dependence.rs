@@ -169,6 +169,16 @@ pub fn of_units(corpus: &mut Corpus, repeats: &[Row], axis: Axis) -> f64 {
     dependence(corpus, &pairs, axis) + ends[0] + ends[1]
 }
 
+/// The bits that it costs to draw the cells of rows apart, which stand beside one another only as they were seen to.
+pub fn of_cells(corpus: &mut Corpus, rows: &[Row], axis: Axis) -> f64 {
+    let pair =
+        |(cells, count): &Row| cells.windows(2).map(|pair| (pair.to_vec(), *count)).collect::<Vec<Row>>();
+    let pairs: Vec<Row> = rows.iter().flat_map(pair).collect();
+    let is_torn = |pair: &Row| corpus.fit(pair.0[0], pair.0[1], axis) == Some(false);
+    let torn = if pairs.iter().any(is_torn) { TORN } else { 0.0 };
+    torn + told(corpus, &pairs) + at_end(corpus, rows, false) + at_end(corpus, rows, true)
+}
+
 /// The bits that it costs to draw the courses of slopes apart: from the ones above, from all that is above, and from
 /// whether they are the first one.
 pub fn of_courses(corpus: &mut Corpus, boxes: &Boxes, slope: &Slope) -> f64 {

@@ -7,6 +7,7 @@ use super::laws::Law;
 use super::limits::Limits;
 use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
 use super::repeats::gcd;
+use super::rows::Row;
 use super::scope::{Scope, Within};
 use super::slopes::Slope;
 use crate::grammar::ast::BinaryOp;
@@ -54,15 +55,15 @@ pub fn emit(
         scope: Scope::of(plan, root),
         builder: Builder::default(),
         nodes: FxHashMap::default(),
-        courses: Vec::new(),
+        inner: Vec::new(),
     };
     let mut made: BTreeMap<NodeIndex, Vec<NodeId>> = BTreeMap::new();
     for (id, boxes) in all.iter().rev() {
         let node = emitter.node(*id, boxes);
         emitter.nodes.insert(*id, node);
         made.entry(node).or_default().push(*id);
-        for (course, id) in emitter.courses.drain(..) {
-            made.entry(course).or_default().push(id);
+        for (inner, id) in emitter.inner.drain(..) {
+            made.entry(inner).or_default().push(id);
         }
     }
     let node = emitter.nodes[&root];
@@ -86,8 +87,8 @@ struct Emitter<'p> {
     limits: &'p Limits,
     builder: Builder,
     nodes: FxHashMap<NodeId, NodeIndex>,
-    /// The splits that take a course off a slope, each with the node that it belongs to.
-    courses: Vec<(NodeIndex, NodeId)>,
+    /// Further operations that nodes are written with.
+    inner: Vec<(NodeIndex, NodeId)>,
 }
 
 impl Emitter<'_> {
@@ -104,12 +105,45 @@ impl Emitter<'_> {
                 let child = self.child(*child, Within::rule(id));
                 self.builder.node(op, vec![(Arg::None, child)])
             }
+            Form::Row { row, cells } => self.row(id, row, cells),
             Form::Slope { slope, course, end } => self.slope(id, slope, *course, *end),
             Form::Choose(_) => {
                 let alternatives = alternatives(self.plan, id, boxes).unwrap_or_default();
                 self.choose(id, &alternatives, boxes)
             }
         }
+    }
+
+    /// Cells that may stand anywhere are repeated; else there is a rule for what may follow, for every set of that.
+    fn row(&mut self, id: NodeId, row: &Row, cells: &[NodeId]) -> NodeIndex {
+        let cells: Vec<NodeIndex> = cells.iter().map(|cell| self.child(*cell, Within::rule(id))).collect();
+        let weights = row.kinds.iter().map(|(_, count)| f64::from(*count));
+        if row.is_free() {
+            let cell = self.builder.choose(weights.zip(cells));
+            let op = Op::Repeat { axis: Expr::Axis(row.axis), size: Expr::number(1.0), snap: None };
+            return self.builder.node(op, vec![(Arg::None, cell)]);
+        }
+        let states: BTreeMap<&BTreeSet<usize>, NodeIndex> =
+            row.states().into_iter().map(|state| (state, self.builder.later(Op::Choose))).collect();
+        let nil = self.builder.nil();
+        let followed = |kind: usize, builder: &mut Builder| {
+            let rest = states.get(&row.next[kind]).copied().unwrap_or(nil);
+            let parts = vec![(absolute(1), cells[kind]), (Size::floating(1.0), rest)];
+            builder.split(Expr::Axis(row.axis), parts)
+        };
+        for (state, node) in &states {
+            let alternative = |kind: &usize| {
+                let condition = (!row.last.contains(kind))
+                    .then(|| binary(BinaryOp::Greater, Expr::ScopeSize(row.axis), Expr::number(1.0)));
+                let weight = Expr::number(f64::from(row.kinds[*kind].1));
+                let alternative = Alternative { condition, ..Alternative::plain(weight) };
+                (Arg::Alternative(alternative), followed(*kind, &mut self.builder))
+            };
+            let alternatives = state.iter().map(alternative).collect();
+            self.builder.complete(*node, alternatives);
+            self.inner.push((*node, id));
+        }
+        states[&row.first]
     }
 
     /// A rule that calls itself for what is left behind a course, until that is short.
@@ -126,8 +160,13 @@ impl Emitter<'_> {
         }
         let rise = (absolute(slope.peel.rise), self.child(course, within));
         let goes_on = self.builder.split(Expr::Axis(Axis::Y), vec![rise, (Size::floating(1.0), left)]);
-        self.courses.push((goes_on, id));
-        let ends = self.child(end, within);
+        self.inner.push((goes_on, id));
+        let mut ends = self.child(end, within);
+        if let Some(cap) = slope.cap {
+            ends = self
+                .builder
+                .split(Expr::Axis(Axis::Y), vec![(absolute(cap), ends), (Size::floating(1.0), nil)]);
+        }
         let when = |op, by| {
             let of =
                 |(axis, most): (Axis, i32)| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(most)));

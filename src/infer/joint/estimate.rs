@@ -3,6 +3,7 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Sequence, Skeleton};
 use super::repeats::Period;
+use super::rows::Row;
 use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -48,6 +49,7 @@ impl Estimates {
             SLOPE + parts.into_iter().map(|part| self.plain(corpus, &part)).sum::<f64>()
         });
         let bits = sloped.fold(bits, f64::min);
+        let bits = Row::of(corpus, boxes).map_or(bits, |row| bits.min(of_row(&row)));
         self.boxes.insert(boxes.clone(), bits);
         bits
     }
@@ -138,6 +140,11 @@ impl Estimates {
         self.skeletons.insert(skeleton, bits);
         bits
     }
+}
+
+/// The bits of a row of cells that are drawn.
+pub fn of_row(row: &Row) -> f64 {
+    REPEAT + (ROW + RUN) * row.kinds.len() as f64 + row.model() + row.chance()
 }
 
 /// The bits of saying which of several things it is, for all occurrences together.

@@ -3,7 +3,7 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::{ALTERNATIVE, Estimates, REPEAT, SLOPE, choice};
+use super::estimate::{ALTERNATIVE, Estimates, REPEAT, SLOPE, choice, of_row};
 use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
@@ -11,6 +11,7 @@ use super::plan::{self, Form, How, NodeId, Plan};
 use super::planes::{Plane, Stands, planes};
 use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
+use super::rows::Row;
 use super::slopes::{End, Slope};
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -54,6 +55,7 @@ const AHEAD_TAKES: u64 = 4;
 enum Step {
     Cut(Plane),
     Repeat(Period),
+    Row(Row),
     Slope(Slope),
     Choose(Vec<Boxes>),
 }
@@ -185,6 +187,7 @@ impl<'c> Explainer<'c> {
         match step {
             Step::Cut(plane) => self.cut(boxes, plane, search),
             Step::Repeat(period) => self.repeat(boxes, *period, search),
+            Step::Row(row) => self.row(boxes, row, search),
             Step::Slope(slope) => self.slope(boxes, *slope, search),
             Step::Choose(groups) => self.choose(groups, search),
         }
@@ -246,6 +249,11 @@ impl<'c> Explainer<'c> {
                 let units = dependence::units(self.corpus, boxes, *period);
                 dependence::of_units(self.corpus, &units, period.axis)
             }
+            Step::Row(row) => {
+                let cells = |(class, count)| (self.corpus.row(class, row.axis).to_vec(), count);
+                let rows: Vec<(Vec<Class>, u32)> = boxes.iter().map(cells).collect();
+                dependence::of_cells(self.corpus, &rows, row.axis)
+            }
             Step::Slope(slope) => dependence::of_courses(self.corpus, boxes, slope),
             Step::Choose(_) => 0.0,
         }
@@ -273,6 +281,9 @@ impl<'c> Explainer<'c> {
                 }
                 steps.push((REPEAT + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
             }
+        }
+        if let Some(row) = Row::of(self.corpus, boxes).filter(|_| !self.is_kept(boxes)) {
+            steps.push((of_row(&row), Step::Row(row)));
         }
         for slope in Slope::of(self.corpus, boxes) {
             let [courses, ends] = slope.parts(self.corpus, boxes);
@@ -380,8 +391,10 @@ impl<'c> Explainer<'c> {
                 let bends = floating.map(|(_, child)| self.stretch(*child, along).max(Stretch::Bends));
                 bends.min().unwrap_or(Stretch::Stiff)
             }
+            Form::Row { .. } => Stretch::Bends,
             // Air above a ridge may be as high as it likes.
             Form::Slope { slope, end, .. } if along == Axis::Y => match slope.end {
+                End::Run(_) if slope.cap.is_some() => Stretch::Bends,
                 End::Run(_) => self.stretch(*end, along).max(Stretch::Bends),
                 End::Rise(_) => Stretch::Stiff,
             },
@@ -396,6 +409,19 @@ impl<'c> Explainer<'c> {
         let child = self.explain(&units, search);
         let how = boxes.classes().map(|class| (class, How::Repeat));
         self.plan.add(Form::Repeat { axis: period.axis, unit: period.unit, child }, how)
+    }
+
+    fn row(&mut self, boxes: &Boxes, row: &Row, search: Search) -> NodeId {
+        let mut kinds: Vec<Vec<(Class, u32)>> = vec![Vec::new(); row.kinds.len()];
+        for (class, count) in boxes.iter() {
+            for cell in self.corpus.row(class, row.axis).iter() {
+                let kind = row.kind(self.corpus.terminal(*cell));
+                kind.into_iter().for_each(|kind| kinds[kind].push((*cell, count)));
+            }
+        }
+        let cells = kinds.into_iter().map(|cells| self.explain(&Boxes::of(cells), search)).collect();
+        let how = boxes.classes().map(|class| (class, How::Row));
+        self.plan.add(Form::Row { row: row.clone(), cells }, how)
     }
 
     fn slope(&mut self, boxes: &Boxes, slope: Slope, search: Search) -> NodeId {

@@ -63,7 +63,7 @@ pub fn feasible(plan: &Plan, root: NodeId) -> Feasible {
 fn along(plan: &Plan, known: &Feasible, id: NodeId, along: Axis) -> Lengths {
     let of = |child: &NodeId| known[child][along.index()];
     match &plan.node(id).form {
-        Form::Fill(_) => Lengths::ALL,
+        Form::Fill(_) | Form::Row { .. } => Lengths::ALL,
         Form::Split { axis, parts } if *axis == along => {
             let parts = parts.iter().map(|(law, child)| lengths(law).and(of(child)));
             parts.fold(Lengths::of([0]), Lengths::plus)
@@ -87,6 +87,10 @@ fn sloped(slope: &Slope, course: Lengths, end: Lengths, along: Axis) -> Lengths 
         return course.and(end);
     }
     let most = slope.ends().find(|(axis, _)| *axis == along).map(|(_, most)| most);
+    let end = match (along, slope.cap) {
+        (Axis::Y, Some(cap)) => Lengths::of(cap..=Lengths::LONGEST),
+        _ => end,
+    };
     // Where another axis ends it, it may end at any length.
     let may_end =
         |len: i32| end.contains(len) && (most.is_none_or(|most| len <= most) || slope.ends().count() > 1);

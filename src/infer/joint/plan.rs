@@ -6,6 +6,7 @@ use super::dependence;
 use super::estimate::{SLOPE, choice};
 use super::laws::{Law, integer};
 use super::recolour::{ARGUMENT, CALL};
+use super::rows::Row;
 use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
@@ -29,6 +30,11 @@ pub enum Form {
         child: NodeId,
     },
     Choose(Vec<NodeId>),
+    /// Cells of a row, by kind.
+    Row {
+        row: Row,
+        cells: Vec<NodeId>,
+    },
     /// Courses that get narrower, and what is left behind the last of them.
     Slope {
         slope: Slope,
@@ -50,6 +56,7 @@ pub enum How {
     /// Where the parts start, from the second one on.
     Split(SmallVec<[i32; 4]>),
     Repeat,
+    Row,
     Slope,
     /// The number of the alternative.
     Choose(usize),
@@ -110,7 +117,7 @@ impl Plan {
             Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
             Form::Repeat { child, .. } | Form::Call { child, .. } => vec![*child],
             Form::Slope { course, end, .. } => vec![*course, *end],
-            Form::Choose(children) => children.clone(),
+            Form::Row { cells: children, .. } | Form::Choose(children) => children.clone(),
         }
     }
 
@@ -172,6 +179,7 @@ impl Shapes {
                 8
             }
             Form::Slope { .. } => 9,
+            Form::Row { row, .. } => 10 + row.axis.index() as u8,
             Form::Choose(_) => {
                 children.sort_unstable();
                 children.dedup();
@@ -202,6 +210,10 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
             let rows = rows();
             dependence::of_units(corpus, &rows, *axis)
         }
+        Form::Row { row, .. } => {
+            let rows = rows();
+            dependence::of_cells(corpus, &rows, row.axis)
+        }
         Form::Slope { slope, .. } => dependence::of_courses(corpus, boxes, slope),
         Form::Fill(_) | Form::Choose(_) | Form::Call { .. } => 0.0,
     }
@@ -223,6 +235,7 @@ fn chance(node: &Node, corpus: &Corpus, boxes: &Boxes) -> f64 {
             };
             parts.iter().enumerate().map(|(number, (law, _))| law.chance(lengths(number))).sum()
         }
+        Form::Row { row, .. } => row.chance(),
         Form::Choose(children) => {
             let mut counts = vec![0; children.len()];
             for (class, count) in boxes.iter() {
@@ -246,6 +259,7 @@ fn model(form: &Form, is_new: bool) -> f64 {
             (KIND + AXIS + integer(parts.len() as i32), parts.iter().map(|(law, _)| law.bits()).sum())
         }
         Form::Repeat { unit, .. } => (KIND + AXIS, integer(*unit)),
+        Form::Row { row, .. } => (KIND + AXIS + row.model(), 0.0),
         Form::Slope { slope, .. } => (SLOPE, slope.ends().map(|(_, most)| integer(most)).sum()),
         Form::Call { arguments, .. } => (CALL + ARGUMENT * arguments.len() as f64, 0.0),
         Form::Choose(children) => (KIND + integer(children.len() as i32) + 3.0 * children.len() as f64, 0.0),
@@ -305,6 +319,11 @@ pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec
             let len = corpus.profile(class).len(*axis);
             let starts = (0..len).step_by(*unit as usize);
             starts.map(|at| (*child, corpus.part(class, *axis, at, at + unit))).collect()
+        }
+        (Form::Row { row, cells }, Some(How::Row)) => {
+            let classes = corpus.row(class, row.axis);
+            let cell = |class: &Class| Some((cells[row.kind(corpus.terminal(*class))?], *class));
+            classes.iter().filter_map(cell).collect()
         }
         (Form::Slope { slope, course, end }, Some(How::Slope)) => {
             let courses = slope.courses_of(corpus, class).into_iter().map(|part| (*course, part));

@@ -3,16 +3,8 @@
 
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Place};
+use super::peel::Peel;
 use crate::space::{Axis, Bounds, Cell};
-
-/// What is taken from a box to get to the box of the next course.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Peel {
-    /// The height of a course.
-    pub rise: i32,
-    /// By how much the next one is narrower at the low end and at the high end, along x and along z.
-    pub runs: [(i32, i32); 2],
-}
 
 /// A slope ends where what is left is no longer than this along any of the axes.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -28,72 +20,35 @@ pub enum End {
 pub struct Slope {
     pub peel: Peel,
     pub end: End,
+    /// How high what is left behind the last course is, if there may be air above it or none.
+    pub cap: Option<i32>,
 }
 
 /// Courses over one another; fewer could be any two things of which one is narrower.
 const FEWEST: i32 = 2;
 
-impl Peel {
-    /// Every way to peel: on one side, on two, and on all four; flat, even and steep.
-    fn all() -> impl Iterator<Item = Peel> {
-        let one = [(1, 1), (1, 0), (0, 1)].into_iter().flat_map(|run| [(1, run), (2, run)]);
-        let one = one.chain([(1, (2, 2))]);
-        let by_axis =
-            one.flat_map(|(rise, run)| [[run, (0, 0)], [(0, 0), run]].map(|runs| Peel { rise, runs }));
-        by_axis.chain([1, 2].map(|rise| Peel { rise, runs: [(1, 1); 2] }))
-    }
+/// How many courses a class has at the most: each reaches to its ends, above which there is air.
+fn most(corpus: &Corpus, class: Class, peel: &Peel) -> i32 {
+    (0..).take_while(|courses| is_course(corpus, class, peel, *courses)).count() as i32
+}
 
-    /// The axes on which courses get narrower, with by how much at both ends.
-    pub fn runs(&self) -> impl Iterator<Item = (Axis, (i32, i32))> + Clone + use<> {
-        [Axis::X, Axis::Z].into_iter().zip(self.runs).filter(|(_, run)| *run != (0, 0))
+fn is_course(corpus: &Corpus, class: Class, peel: &Peel, courses: i32) -> bool {
+    let place = corpus.profile(class).place;
+    let size = place.bounds.size();
+    let next = peel.left(size, courses + 1);
+    if next.size().min_element() < 1 {
+        return false;
     }
-
-    /// How much shorter the next box is.
-    pub fn step(&self, axis: Axis) -> i32 {
-        let [x, z] = self.runs.map(|(low, high)| low + high);
-        axis.of(Cell::new(x, self.rise, z))
-    }
-
-    /// What is left of a box of that size behind so many courses.
-    fn left(&self, size: Cell, courses: i32) -> Bounds {
-        let [(west, east), (north, south)] = self.runs;
-        Bounds::new(Cell::new(west, self.rise, north) * courses, size - Cell::new(east, 0, south) * courses)
-    }
-
-    /// What is left behind so many courses, before it gets narrower again: all above the course.
-    fn above(&self, size: Cell, courses: i32) -> Bounds {
-        let left = self.left(size, courses);
-        left.slab(Axis::Y, left.min.y + self.rise, left.max.y)
-    }
-
-    fn course(&self, size: Cell, courses: i32) -> Bounds {
-        let left = self.left(size, courses);
-        left.slab(Axis::Y, left.min.y, left.min.y + self.rise)
-    }
-
-    /// How many courses a class has at the most: each reaches to its ends, above which there is air.
-    fn most(&self, corpus: &Corpus, class: Class) -> i32 {
-        let place = corpus.profile(class).place;
-        let size = place.bounds.size();
-        (0..).take_while(|courses| self.is_course(corpus, place, size, *courses)).count() as i32
-    }
-
-    fn is_course(&self, corpus: &Corpus, Place { example, bounds }: Place, size: Cell, courses: i32) -> bool {
-        let next = self.left(size, courses + 1);
-        if next.size().min_element() < 1 {
-            return false;
-        }
-        let volume = corpus.volume(Place { example, bounds });
-        let is_air = |cell: Cell| volume.get(bounds.min + cell) == corpus.air;
-        let (course, above) = (self.course(size, courses), self.above(size, courses));
-        let is_beside = |ends: Bounds| {
-            let mut beside = ends.cells().filter(|cell| !next.contains(*cell));
-            beside.all(is_air)
-        };
-        ends(self, course).all(|end| !end.cells().all(is_air))
-            && ends(self, above).all(is_beside)
-            && !volume.is_whole_across(bounds, Axis::Y, above.min.y)
-    }
+    let volume = corpus.volume(place);
+    let is_air = |cell: Cell| volume.get(place.bounds.min + cell) == corpus.air;
+    let (course, above) = (peel.course(size, courses), peel.above(size, courses));
+    let is_beside = |ends: Bounds| {
+        let mut beside = ends.cells().filter(|cell| !next.contains(*cell));
+        beside.all(is_air)
+    };
+    ends(peel, course).all(|end| !end.cells().all(is_air))
+        && ends(peel, above).all(is_beside)
+        && !corpus.is_whole_across(class, Axis::Y, above.min.y)
 }
 
 /// What is beside the next course at the ends of a box.
@@ -145,7 +100,25 @@ impl Slope {
     /// What is left of a box behind its last course.
     pub fn end_of(&self, corpus: &mut Corpus, class: Class) -> Class {
         let size = corpus.profile(class).size();
-        corpus.inside(class, self.peel.left(size, self.courses(size)))
+        let left = self.peel.left(size, self.courses(size));
+        let high = self.cap.map_or(left.max.y, |cap| left.min.y + cap);
+        corpus.inside(class, left.slab(Axis::Y, left.min.y, high))
+    }
+
+    /// The slope with a cap, if there is as much below the air behind each last course and air at all.
+    fn capped(self, corpus: &mut Corpus, boxes: &Boxes) -> Slope {
+        let End::Run(_) = self.end else { return self };
+        let ends: Vec<Class> = boxes.classes().map(|class| self.end_of(corpus, class)).collect();
+        let filled = |class: &Class| {
+            let Place { bounds, .. } = corpus.profile(*class).place;
+            let volume = corpus.volume(corpus.profile(*class).place);
+            let filled = bounds.cells().filter(|cell| volume.get(*cell) != corpus.air);
+            filled.map(|cell| cell.y + 1 - bounds.min.y).max().unwrap_or(0)
+        };
+        let mut heights = ends.iter().map(filled);
+        let cap = heights.next().filter(|first| *first > 0 && heights.all(|height| height == *first));
+        let is_higher = |cap: &i32| ends.iter().any(|class| corpus.profile(*class).len(Axis::Y) > *cap);
+        Slope { cap: cap.filter(is_higher), ..self }
     }
 
     /// Each course with all above it.
@@ -173,7 +146,7 @@ impl Slope {
 fn peeled(corpus: &mut Corpus, boxes: &Boxes, peel: Peel) -> Vec<Slope> {
     let mut all = Vec::with_capacity(boxes.kinds());
     for class in boxes.classes() {
-        let most = corpus.peeled(class, peel, |corpus| peel.most(corpus, class));
+        let most = corpus.peeled(class, peel, |corpus| most(corpus, class, &peel));
         if most == 0 {
             return Vec::new();
         }
@@ -190,17 +163,85 @@ fn peeled(corpus: &mut Corpus, boxes: &Boxes, peel: Peel) -> Vec<Slope> {
             slopes.extend(slope);
         }
     }
-    slopes
+    slopes.into_iter().map(|slope| slope.capped(corpus, boxes)).collect()
 }
 
 /// The slope that goes on for as long as all boxes do.
 fn lowest(boxes: &[(Cell, i32)], peel: Peel, end: fn(i32) -> End) -> Option<Slope> {
-    let steps = Slope { peel, end: end(0) }.ends().map(|(axis, _)| peel.step(axis));
+    let steps = Slope { peel, end: end(0), cap: None }.ends().map(|(axis, _)| peel.step(axis));
     let least = steps.max().unwrap_or(1);
     let longest = boxes.iter().map(|(size, _)| size.max_element()).max().unwrap_or(0);
-    let slopes = (least..longest).map(|most| Slope { peel, end: end(most) });
+    let slopes = (least..longest).map(|most| Slope { peel, end: end(most), cap: None });
     let found =
         slopes.into_iter().find(|slope| boxes.iter().all(|(size, most)| slope.courses(*size) <= *most))?;
     let courses = || boxes.iter().map(|(size, _)| found.courses(*size));
     (courses().all(|courses| courses > 0) && courses().any(|courses| courses >= FEWEST)).then_some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::volume::Volume;
+    use super::*;
+    use ndarray::Array3;
+
+    const AIR: u32 = 0;
+
+    /// Houses three blocks wide as they are seen from the side, and their boxes.
+    fn seen(houses: &[&[&str]]) -> (Corpus, Boxes) {
+        let volume = |house: &&[&str]| {
+            let cell = |(y, z, _): (usize, usize, usize)| match house[house.len() - 1 - y].as_bytes()[z] {
+                b'.' => AIR,
+                block => u32::from(block),
+            };
+            Volume::new(Array3::from_shape_fn((house.len(), house[0].len(), 3), cell), &[])
+        };
+        let mut corpus = Corpus::new(houses.iter().map(volume).collect(), AIR);
+        let places = corpus.examples();
+        let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
+        (corpus, boxes)
+    }
+
+    fn along_z(rise: i32, low: i32, high: i32) -> Peel {
+        Peel { rise, runs: [(0, 0), (low, high)] }
+    }
+
+    #[test]
+    fn roofs_of_any_width_are_one_slope() {
+        let (mut corpus, boxes) = seen(&[
+            &[".....", "..=..", "./#>.", "/###>"],
+            &["..==..", "./##>.", "/####>"],
+            &["...=...", "../#>..", "./###>.", "/#####>"],
+        ]);
+        let slope = Slope { peel: along_z(1, 1, 1), end: End::Run(2), cap: Some(1) };
+        assert!(Slope::of(&mut corpus, &boxes).contains(&slope));
+        let [courses, ends] = slope.parts(&mut corpus, &boxes);
+        assert_eq!((courses.count(), ends.count(), ends.kinds()), (7, 3, 2));
+        assert!(ends.classes().all(|class| corpus.profile(class).is_uniform()));
+    }
+
+    #[test]
+    fn a_slope_may_end_below_its_ridge() {
+        let low: &[&str] = &["../##>..", "./####>.", "/######>"];
+        let high: &[&str] = &[".../>...", "../##>..", "./####>.", "/######>"];
+        let (mut corpus, boxes) = seen(&[low, high]);
+        let slopes = Slope::of(&mut corpus, &boxes).into_iter();
+        let ends: Vec<End> =
+            slopes.filter(|slope| slope.peel == along_z(1, 1, 1)).map(|slope| slope.end).collect();
+        assert_eq!(ends, [End::Run(4), End::Rise(1)]);
+    }
+
+    #[test]
+    fn lean_tos_and_flat_roofs_have_steps_of_their_own() {
+        let cases: [(&[&str], Option<Peel>); 3] = [
+            (&["/...", "#/..", "##/.", "###/"], Some(along_z(1, 0, 1))),
+            (&["....==....", "..==##==..", "==######=="], Some(along_z(1, 2, 2))),
+            (&["####", "#..#", "#..#", "####"], None),
+        ];
+        for (house, peel) in cases {
+            let (mut corpus, boxes) = seen(&[house]);
+            let found: Vec<Peel> =
+                Slope::of(&mut corpus, &boxes).into_iter().map(|slope| slope.peel).collect();
+            assert!(peel.map_or(found.is_empty(), |peel| found.contains(&peel)), "{house:?}: {found:?}");
+        }
+    }
 }
