@@ -96,6 +96,8 @@ pub struct Corpus {
     fits: FxHashMap<(Class, Class, Axis), bool>,
     /// The number of air.
     pub air: u32,
+    /// Whether rows of things are drawn cell by cell.
+    pub draws_rows: bool,
     /// Where each volume that is no example was taken from, with other terminals, behind all examples.
     origins: Vec<Place>,
     recoloured: FxHashMap<(Class, BTreeMap<u32, u32>), Class>,
@@ -111,6 +113,7 @@ impl Corpus {
             seams: Seams::of(&volumes),
             fits: FxHashMap::default(),
             air,
+            draws_rows: false,
             origins: Vec::new(),
             recoloured: FxHashMap::default(),
             parameters: FxHashMap::default(),

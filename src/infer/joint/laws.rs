@@ -211,11 +211,14 @@ fn between(seen: &[Seen], constant: &[Law], varying: &[usize], middle: usize) ->
         laws[middle] = Law::Const(len);
         laws
     };
-    let share = |lengths: &[i32]| others().map(|part| lengths[part]).sum::<i32>();
-    let least = seen.iter().map(|(lengths, _)| share(lengths)).min()?;
+    let parts = others().count() as i32;
+    let least = seen.iter().flat_map(|(lengths, _)| others().map(|part| lengths[part])).min()?;
     let most = lengths().map(|(len, _)| len).max()?;
-    let has_room = |(lengths, _): &Seen| share(lengths) + lengths[middle] - most >= least;
-    if others().count() < 2
+    let has_room = |(lengths, _): &Seen| {
+        let left = others().map(|part| lengths[part]).sum::<i32>() + lengths[middle] - most;
+        left / parts >= least
+    };
+    if parts < 2
         || !seen.iter().all(|(lengths, _)| gives(&with(lengths[middle]), lengths))
         || !seen.iter().all(has_room)
     {

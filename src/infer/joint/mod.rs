@@ -72,6 +72,8 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     }
     let mut terminals = Terminals::default();
     let mut corpus = corpus(examples, open, &mut terminals);
+    // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
+    corpus.draws_rows = freedom == Freedom::Free;
     let shown = Shown::by(examples);
     let places = corpus.examples();
     let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));

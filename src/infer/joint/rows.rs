@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 
 /// A row at least as long as this tells a row from a few things side by side.
 const LONG: i32 = 3;
+/// So many runs on average are a wall with one feature, as a window, at the most.
+const FEATURE: u32 = 3;
 /// More kinds of cells are no row of things that may stand anywhere.
 const MOST: usize = 8;
 
@@ -28,10 +30,17 @@ pub struct Row {
 impl Row {
     /// The row that all boxes are, if they are rows of several kinds of cells.
     pub fn of(corpus: &Corpus, boxes: &Boxes) -> Option<Row> {
+        if !corpus.draws_rows {
+            return None;
+        }
         // What stands on what is no chance.
         let axis = [Axis::X, Axis::Z].into_iter().find(|axis| is_along(corpus, boxes, *axis))?;
         let rows: Vec<(Vec<u32>, u32)> =
             boxes.iter().map(|(class, count)| (cells(corpus, class, axis), count)).collect();
+        let runs: u32 = rows.iter().map(|(cells, count)| count * runs(cells)).sum();
+        if runs <= FEATURE * boxes.count() {
+            return None;
+        }
         let terminals: BTreeSet<u32> = rows.iter().flat_map(|(cells, _)| cells.iter().copied()).collect();
         if !(2..=MOST).contains(&terminals.len()) || terminals.iter().copied().any(is_parameter) {
             return None;
@@ -97,6 +106,10 @@ fn is_along(corpus: &Corpus, boxes: &Boxes, axis: Axis) -> bool {
             .all(|class| (1..len(class, axis)).all(|at| !corpus.is_whole_across(class, axis, at)))
 }
 
+fn runs(cells: &[u32]) -> u32 {
+    1 + cells.windows(2).filter(|pair| pair[0] != pair[1]).count() as u32
+}
+
 fn cells(corpus: &Corpus, class: Class, axis: Axis) -> Vec<u32> {
     let place = corpus.profile(class).place;
     let cells = place.bounds.cells().map(|cell| corpus.volume(place).get(cell)).collect::<Vec<u32>>();
@@ -120,13 +133,14 @@ mod tests {
         let mut corpus = Corpus::new(rows.iter().map(volume).collect(), AIR);
         let places = corpus.examples();
         let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
+        corpus.draws_rows = true;
         Row::of(&corpus, &boxes)
     }
 
     #[test]
     fn what_may_follow_is_what_was_seen_to() {
-        let row = row(&["aab", "bab"]).expect("a row");
-        assert_eq!(row.kinds, [(u32::from(b'a'), 3), (u32::from(b'b'), 3)]);
+        let row = row(&["aabab", "bab"]).expect("a row");
+        assert_eq!(row.kinds, [(u32::from(b'a'), 4), (u32::from(b'b'), 4)]);
         assert_eq!(row.next, [BTreeSet::from([0, 1]), BTreeSet::from([0])]);
         assert_eq!((row.first.len(), row.last.len()), (2, 1));
         assert!(!row.is_free());
@@ -135,11 +149,12 @@ mod tests {
 
     #[test]
     fn where_all_was_seen_beside_all_cells_are_free() {
-        assert!(row(&["aabba", "bab"]).is_some_and(|row| row.is_free()));
+        assert!(row(&["aabbaba", "bab"]).is_some_and(|row| row.is_free()));
     }
 
     #[test]
-    fn two_cells_or_one_kind_are_no_row() {
+    fn two_cells_one_kind_and_walls_with_a_window_are_no_row() {
+        assert_eq!(row(&["aabaa", "abaa", "aaa"]), None);
         assert_eq!(row(&["ab", "ba"]), None);
         assert_eq!(row(&["aaa", "aaaa"]), None);
     }
