@@ -292,7 +292,7 @@ mod tests {
 
     #[test]
     fn what_is_drawn_may_stand_in_the_middle() {
-        let seen: [&[i32]; 4] = [&[1, 2, 2, 2, 1], &[1, 3, 3, 3, 1], &[1, 4, 2, 4, 1], &[1, 2, 3, 2, 1]];
+        let seen: [&[i32]; 4] = [&[1, 3, 2, 3, 1], &[1, 3, 3, 3, 1], &[1, 4, 2, 4, 1], &[1, 2, 3, 2, 1]];
         let laws = laws_of(&seen, &[Stretch::Alike; 5]);
         let middle = Law::Range { low: 2, high: 3, step: 1 };
         assert_eq!(laws, [Law::Const(1), Law::Float(1), middle, Law::Float(1), Law::Const(1)]);
