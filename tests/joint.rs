@@ -8,8 +8,9 @@ use vox::graph::OpGraph;
 use vox::grid::Grid;
 use vox::infer::{Example, Freedom, Learnt, Method, infer};
 use vox::parse::{Laws, Parser};
-use vox::run::Library;
+use vox::run::{Library, Options, run};
 use vox::score::{Agreement, Alphabet, Samples, Seams, agreement, unseen_seams};
+use vox::space::Cell;
 
 fn truth(name: &str) -> GrammarFile {
     let mut files = all_in("tests/truth").into_iter();
@@ -73,6 +74,7 @@ fn known_grammars_are_learnt_back() {
         ("walls-by-axis", 0.6),
         ("wing", 0.6),
         ("two-woods", 0.8),
+        ("gable", 0.95),
     ] {
         let truth = truth(name).graph();
         let grids = examples(&truth, 10);
@@ -82,6 +84,21 @@ fn known_grammars_are_learnt_back() {
             agreement(&learnt.graph, &truth, &Library::new(), &grids, 1000, 40);
         assert!(precision >= 0.95, "{name}: precision {precision}");
         assert!(recall >= least, "{name}: recall {recall}");
+    }
+}
+
+/// A roof of courses is one rule that calls itself, and is right at depths that no example has.
+#[test]
+fn roofs_grow_with_their_houses() {
+    let truth = truth("gable").graph();
+    let graph = learnt(&examples(&truth, 10), Freedom::Seen).graph;
+    let text = vox::graph::raise(&graph).to_string();
+    assert!(text.contains("scope.sz > 2 -->"), "{text}");
+    let parser = Parser::new(&truth, Laws::AsWritten);
+    for depth in 4..=10 {
+        let size = Some(Cell::new(8, 10, depth));
+        let made = run(&graph, &Library::new(), &Options { size, seed: 1, ..Options::default() });
+        assert!(parser.derives(&made.unwrap().made), "depth {depth}");
     }
 }
 

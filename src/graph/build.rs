@@ -30,6 +30,18 @@ impl Builder {
         node
     }
 
+    /// A node that may be led to before its children are known: that of a ring. It is equal to no other.
+    pub fn later(&mut self, op: Op) -> NodeIndex {
+        self.graph.add_node(op)
+    }
+
+    /// Gives a node that was made for later its children.
+    pub fn complete(&mut self, node: NodeIndex, children: Children) {
+        for (arg, child) in children.into_iter().rev() {
+            self.graph.add_edge(node, child, arg);
+        }
+    }
+
     pub fn nil(&mut self) -> NodeIndex {
         self.node(Op::Nil, Vec::new())
     }

@@ -106,6 +106,39 @@ impl OpGraph {
         Some(order)
     }
 
+    /// All nodes that the root leads to, each after its children but for those that lead back to it.
+    pub fn inner_first(&self) -> Vec<NodeIndex> {
+        let mut order = Vec::with_capacity(self.len());
+        let mut seen = vec![false; self.len()];
+        let mut open = vec![(self.root, false)];
+        while let Some((node, is_done)) = open.pop() {
+            if is_done {
+                order.push(node);
+            } else if !std::mem::replace(&mut seen[node.index()], true) {
+                open.push((node, true));
+                open.extend(self.children(node).map(|(_, child)| (child, false)));
+            }
+        }
+        order
+    }
+
+    /// Whether one or more edges lead from a node to another.
+    pub fn leads_to(&self, from: NodeIndex, to: NodeIndex) -> bool {
+        let mut seen = vec![false; self.len()];
+        let mut open = vec![from];
+        while let Some(node) = open.pop() {
+            for (_, child) in self.children(node) {
+                if child == to {
+                    return true;
+                }
+                if !std::mem::replace(&mut seen[child.index()], true) {
+                    open.push(child);
+                }
+            }
+        }
+        false
+    }
+
     /// Whether several edges lead to a node.
     pub fn is_shared(&self, node: NodeIndex) -> bool {
         self.graph.edges_directed(node, Direction::Incoming).nth(1).is_some()

@@ -85,6 +85,14 @@ impl Suspects<'_> {
         let mut ends = Vec::new();
         for id in self.planned(sample.derivation, at) {
             for class in self.emitted.boxes(id).classes().collect::<Vec<Class>>() {
+                if let Form::Slope { slope, .. } = &self.plan.node(id).form {
+                    // Inside what is left of a box all that meets is air.
+                    if axis == Axis::Y {
+                        let seams = slope.seams_of(self.corpus, class);
+                        ends.extend(seams.into_iter().map(|[low, high]| self.corpus.ends(low, high, axis)));
+                    }
+                    continue;
+                }
                 let parts: Vec<Class> = plan::inside(self.plan, self.corpus, id, class)
                     .into_iter()
                     .map(|(_, part)| part)

@@ -1,6 +1,7 @@
 //! The boxes of all examples, those of equal content known by one number.
 
 use super::fold::{Token, folded};
+use super::peel::Peel;
 use super::seams::Seams;
 use super::volume::Volume;
 use crate::grid::Content;
@@ -50,6 +51,10 @@ impl Profile {
         self.place.bounds.len(axis)
     }
 
+    pub fn size(&self) -> Cell {
+        self.place.bounds.size()
+    }
+
     pub fn starts(&self, axis: Axis) -> &[i32] {
         &self.starts[axis.index()]
     }
@@ -83,12 +88,16 @@ pub struct Corpus {
     /// The numbers of sequences of slices, and those of classes by axis.
     folded: FxHashMap<Vec<Token>, u32>,
     sequences: FxHashMap<(Class, Axis), Sequence>,
+    /// How many courses can be peeled off a class.
+    peeled: FxHashMap<(Class, Peel), i32>,
     /// By class: the terminals that there are, in order of their numbers.
     terminals: FxHashMap<Class, Rc<[u32]>>,
     seams: Seams,
     fits: FxHashMap<(Class, Class, Axis), bool>,
     /// The number of air.
     pub air: u32,
+    /// Whether rows of things are drawn cell by cell.
+    pub draws_rows: bool,
     /// Where each volume that is no example was taken from, with other terminals, behind all examples.
     origins: Vec<Place>,
     recoloured: FxHashMap<(Class, BTreeMap<u32, u32>), Class>,
@@ -104,6 +113,7 @@ impl Corpus {
             seams: Seams::of(&volumes),
             fits: FxHashMap::default(),
             air,
+            draws_rows: false,
             origins: Vec::new(),
             recoloured: FxHashMap::default(),
             parameters: FxHashMap::default(),
@@ -117,6 +127,7 @@ impl Corpus {
             rows: FxHashMap::default(),
             folded: FxHashMap::default(),
             sequences: FxHashMap::default(),
+            peeled: FxHashMap::default(),
             terminals: FxHashMap::default(),
         }
     }
@@ -166,6 +177,27 @@ impl Corpus {
         let part = self.class(Place { bounds: place.bounds.slab(axis, start + low, start + high), ..place });
         self.parts.insert((class, axis, low, high), part);
         part
+    }
+
+    /// The class of a box in a class, told from its low corner.
+    pub fn inside(&mut self, class: Class, bounds: Bounds) -> Class {
+        Axis::ALL.into_iter().fold(class, |class, axis| {
+            let (low, high) = (axis.of(bounds.min), axis.of(bounds.max));
+            match (low, high) == (0, self.profile(class).len(axis)) {
+                true => class,
+                false => self.part(class, axis, low, high),
+            }
+        })
+    }
+
+    /// How many courses can be peeled off a class, found out once.
+    pub fn peeled(&mut self, class: Class, peel: Peel, find: impl FnOnce(&Corpus) -> i32) -> i32 {
+        if let Some(&known) = self.peeled.get(&(class, peel)) {
+            return known;
+        }
+        let found = find(self);
+        self.peeled.insert((class, peel), found);
+        found
     }
 
     /// Whether a plane goes through a whole of two blocks.

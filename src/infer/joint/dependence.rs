@@ -4,6 +4,7 @@ use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::groups::materials;
 use super::repeats::Period;
+use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 
@@ -166,6 +167,31 @@ pub fn of_units(corpus: &mut Corpus, repeats: &[Row], axis: Axis) -> f64 {
     let pairs: Vec<Row> = repeats.iter().flat_map(pair).collect();
     let ends = [false, true].map(|is_last| at_end(corpus, repeats, is_last));
     dependence(corpus, &pairs, axis) + ends[0] + ends[1]
+}
+
+/// The bits that it costs to draw the cells of rows apart, which stand beside one another only as they were seen to.
+pub fn of_cells(corpus: &mut Corpus, rows: &[Row], axis: Axis) -> f64 {
+    let pair =
+        |(cells, count): &Row| cells.windows(2).map(|pair| (pair.to_vec(), *count)).collect::<Vec<Row>>();
+    let pairs: Vec<Row> = rows.iter().flat_map(pair).collect();
+    let is_torn = |pair: &Row| corpus.fit(pair.0[0], pair.0[1], axis) == Some(false);
+    let torn = if pairs.iter().any(is_torn) { TORN } else { 0.0 };
+    torn + told(corpus, &pairs) + at_end(corpus, rows, false) + at_end(corpus, rows, true)
+}
+
+/// The bits that it costs to draw the courses of slopes apart: from the ones above, from all that is above, and from
+/// whether they are the first one.
+pub fn of_courses(corpus: &mut Corpus, boxes: &Boxes, slope: &Slope) -> f64 {
+    let (mut seams, mut pairs, mut courses): (Vec<Row>, Vec<Row>, Vec<Row>) = Default::default();
+    for (class, count) in boxes.iter() {
+        let own = slope.seams_of(corpus, class).into_iter();
+        seams.extend(own.map(|seam| (seam.to_vec(), count)));
+        let own = slope.courses_of(corpus, class);
+        pairs.extend(own.windows(2).map(|pair| (pair.to_vec(), count)));
+        courses.push((own, count));
+    }
+    let torn = if all_fit(corpus, &seams, Axis::Y, 1) { 0.0 } else { TORN };
+    torn + told(corpus, &pairs) + at_end(corpus, &courses, false) + at_end(corpus, &courses, true)
 }
 
 /// The bits that units tell of whether they stand at an end.

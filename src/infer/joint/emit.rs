@@ -6,7 +6,9 @@ use super::feasible::{Feasible, Lengths, feasible};
 use super::laws::Law;
 use super::limits::Limits;
 use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
+use super::rows::Row;
 use super::scope::{Scope, Within};
+use super::slopes::Slope;
 use super::starts::{Sizes, Starts};
 use crate::grammar::ast::BinaryOp;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size};
@@ -53,12 +55,16 @@ pub fn emit(
         scope: Scope::of(plan, root),
         builder: Builder::default(),
         nodes: FxHashMap::default(),
+        inner: Vec::new(),
     };
     let mut made: BTreeMap<NodeIndex, Vec<NodeId>> = BTreeMap::new();
     for (id, boxes) in all.iter().rev() {
         let node = emitter.node(*id, boxes);
         emitter.nodes.insert(*id, node);
         made.entry(node).or_default().push(*id);
+        for (inner, id) in emitter.inner.drain(..) {
+            made.entry(inner).or_default().push(id);
+        }
     }
     let node = emitter.nodes[&root];
     let (mut graph, kept) = emitter.builder.finish(node);
@@ -79,6 +85,8 @@ struct Emitter<'p> {
     limits: &'p Limits,
     builder: Builder,
     nodes: FxHashMap<NodeId, NodeIndex>,
+    /// Further operations that nodes are written with.
+    inner: Vec<(NodeIndex, NodeId)>,
 }
 
 impl Emitter<'_> {
@@ -95,11 +103,81 @@ impl Emitter<'_> {
                 let child = self.child(*child, Within::rule(id));
                 self.builder.node(op, vec![(Arg::None, child)])
             }
+            Form::Row { row, cells } => self.row(id, row, cells),
+            Form::Slope { slope, course, end } => self.slope(id, slope, *course, *end),
             Form::Choose(_) => {
                 let alternatives = alternatives(self.plan, id, boxes).unwrap_or_default();
                 self.choose(id, &alternatives, boxes)
             }
         }
+    }
+
+    /// Cells that may stand anywhere are repeated; else there is a rule for what may follow, for every set of that.
+    fn row(&mut self, id: NodeId, row: &Row, cells: &[NodeId]) -> NodeIndex {
+        let cells: Vec<NodeIndex> = cells.iter().map(|cell| self.child(*cell, Within::rule(id))).collect();
+        let weights = row.kinds.iter().map(|(_, count)| f64::from(*count));
+        if row.is_free() {
+            let cell = self.builder.choose(weights.zip(cells));
+            let op = Op::Repeat { axis: Expr::Axis(row.axis), size: Expr::number(1.0), snap: None };
+            return self.builder.node(op, vec![(Arg::None, cell)]);
+        }
+        let states: BTreeMap<&BTreeSet<usize>, NodeIndex> =
+            row.states().into_iter().map(|state| (state, self.builder.later(Op::Choose))).collect();
+        let nil = self.builder.nil();
+        let followed = |kind: usize, builder: &mut Builder| {
+            let rest = states.get(&row.next[kind]).copied().unwrap_or(nil);
+            let parts = vec![(absolute(1), cells[kind]), (Size::floating(1.0), rest)];
+            builder.split(Expr::Axis(row.axis), parts)
+        };
+        for (state, node) in &states {
+            let alternative = |kind: &usize| {
+                let condition = (!row.last.contains(kind))
+                    .then(|| binary(BinaryOp::Greater, Expr::ScopeSize(row.axis), Expr::number(1.0)));
+                let weight = Expr::number(f64::from(row.kinds[*kind].1));
+                let alternative = Alternative { condition, ..Alternative::plain(weight) };
+                (Arg::Alternative(alternative), followed(*kind, &mut self.builder))
+            };
+            let alternatives = state.iter().map(alternative).collect();
+            self.builder.complete(*node, alternatives);
+            self.inner.push((*node, id));
+        }
+        states[&row.first]
+    }
+
+    /// A rule that calls itself for what is left behind a course, until that is short.
+    fn slope(&mut self, id: NodeId, slope: &Slope, course: NodeId, end: NodeId) -> NodeIndex {
+        let itself = self.builder.later(Op::Choose);
+        self.nodes.insert(id, itself);
+        let within = Within::rule(id);
+        let nil = self.builder.nil();
+        let mut left = self.call(id, self.scope.free(id).to_vec(), within);
+        for (axis, (low, high)) in slope.peel.runs() {
+            let air = |len: i32| (len > 0).then(|| (absolute(len), nil));
+            let parts = air(low).into_iter().chain([(Size::floating(1.0), left)]).chain(air(high));
+            left = self.builder.split(Expr::Axis(axis), parts.collect());
+        }
+        let rise = (absolute(slope.peel.rise), self.child(course, within));
+        let goes_on = self.builder.split(Expr::Axis(Axis::Y), vec![rise, (Size::floating(1.0), left)]);
+        self.inner.push((goes_on, id));
+        let mut ends = self.child(end, within);
+        if let Some(cap) = slope.cap {
+            ends = self
+                .builder
+                .split(Expr::Axis(Axis::Y), vec![(absolute(cap), ends), (Size::floating(1.0), nil)]);
+        }
+        let when = |op, by| {
+            let of =
+                |(axis, most): (Axis, i32)| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(most)));
+            slope.ends().map(of).reduce(|left, right| binary(by, left, right))
+        };
+        let alternative =
+            |condition| Arg::Alternative(Alternative { condition, ..Alternative::plain(Expr::number(1.0)) });
+        let alternatives = vec![
+            (alternative(when(BinaryOp::Greater, BinaryOp::And)), goes_on),
+            (alternative(when(BinaryOp::LessEqual, BinaryOp::Or)), ends),
+        ];
+        self.builder.complete(itself, alternatives);
+        itself
     }
 
     /// A choice by how often each alternative was seen. One that cannot fill every box has a condition.
@@ -243,6 +321,10 @@ fn same_as(law: &Law) -> Option<usize> {
         Law::Same(part) => Some(*part),
         _ => None,
     }
+}
+
+fn absolute(len: i32) -> Size {
+    Size::absolute(Expr::number(f64::from(len)))
 }
 
 fn size_of(law: &Law) -> Size {

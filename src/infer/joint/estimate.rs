@@ -3,6 +3,8 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Sequence, Skeleton};
 use super::repeats::Period;
+use super::rows::Row;
+use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
@@ -16,6 +18,8 @@ pub const ALTERNATIVE: f64 = 3.0;
 const FREE: f64 = 4.0;
 /// Bits of a repeat.
 pub const REPEAT: f64 = 7.0;
+/// Bits of a slope: a choice of two and two splits.
+pub const SLOPE: f64 = 24.0;
 
 /// What was estimated, by what was asked.
 #[derive(Default, Debug)]
@@ -39,6 +43,13 @@ impl Estimates {
             REPEAT + parts.into_iter().map(|part| self.plain(corpus, &part)).sum::<f64>()
         });
         let bits = repeated.fold(plain, f64::min);
+        let slopes = Slope::of(corpus, boxes).into_iter();
+        let sloped = slopes.map(|slope| {
+            let parts = slope.parts(corpus, boxes);
+            SLOPE + parts.into_iter().map(|part| self.plain(corpus, &part)).sum::<f64>()
+        });
+        let bits = sloped.fold(bits, f64::min);
+        let bits = Row::of(corpus, boxes).map_or(bits, |row| bits.min(of_row(&row)));
         self.boxes.insert(boxes.clone(), bits);
         bits
     }
@@ -129,6 +140,11 @@ impl Estimates {
         self.skeletons.insert(skeleton, bits);
         bits
     }
+}
+
+/// The bits of a row of cells that are drawn.
+pub fn of_row(row: &Row) -> f64 {
+    REPEAT + (ROW + RUN) * row.kinds.len() as f64 + row.model() + row.chance()
 }
 
 /// The bits of saying which of several things it is, for all occurrences together.

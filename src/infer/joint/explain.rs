@@ -3,7 +3,7 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::{ALTERNATIVE, Estimates, REPEAT, choice};
+use super::estimate::{ALTERNATIVE, Estimates, REPEAT, SLOPE, choice, of_row};
 use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
@@ -11,6 +11,8 @@ use super::plan::{self, Form, How, NodeId, Plan};
 use super::planes::{Plane, Stands, planes};
 use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
+use super::rows::Row;
+use super::slopes::{End, Slope};
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
@@ -52,6 +54,8 @@ const AHEAD_TAKES: u64 = 4;
 enum Step {
     Cut(Plane),
     Repeat(Period),
+    Row(Row),
+    Slope(Slope),
     Choose(Vec<Boxes>),
 }
 
@@ -187,6 +191,8 @@ impl<'c> Explainer<'c> {
         match step {
             Step::Cut(plane) => self.cut(boxes, plane, search),
             Step::Repeat(period) => self.repeat(boxes, *period, search),
+            Step::Row(row) => self.row(boxes, row, search),
+            Step::Slope(slope) => self.slope(boxes, *slope, search),
             Step::Choose(groups) => self.choose(groups, search),
         }
     }
@@ -247,6 +253,12 @@ impl<'c> Explainer<'c> {
                 let units = dependence::units(self.corpus, boxes, *period);
                 dependence::of_units(self.corpus, &units, period.axis)
             }
+            Step::Row(row) => {
+                let cells = |(class, count)| (self.corpus.row(class, row.axis).to_vec(), count);
+                let rows: Vec<(Vec<Class>, u32)> = boxes.iter().map(cells).collect();
+                dependence::of_cells(self.corpus, &rows, row.axis)
+            }
+            Step::Slope(slope) => dependence::of_courses(self.corpus, boxes, slope),
             Step::Choose(_) => 0.0,
         }
     }
@@ -272,6 +284,16 @@ impl<'c> Explainer<'c> {
                     continue;
                 }
                 steps.push((REPEAT + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
+            }
+        }
+        if let Some(row) = Row::of(self.corpus, boxes).filter(|_| !self.is_kept(boxes)) {
+            steps.push((of_row(&row), Step::Row(row)));
+        }
+        for slope in Slope::of(self.corpus, boxes) {
+            let [courses, ends] = slope.parts(self.corpus, boxes);
+            if !self.is_kept(boxes) {
+                let bits = SLOPE + self.estimate(&courses) + self.estimate(&ends);
+                steps.push((bits, Step::Slope(slope)));
             }
         }
         steps
@@ -373,6 +395,15 @@ impl<'c> Explainer<'c> {
                 let bends = floating.map(|(_, child)| self.stretch(*child, along).max(Stretch::Bends));
                 bends.min().unwrap_or(Stretch::Stiff)
             }
+            Form::Row { .. } => Stretch::Bends,
+            // Air above a ridge may be as high as it likes.
+            Form::Slope { slope, end, .. } if along == Axis::Y => match slope.end {
+                End::Run(_) if slope.cap.is_some() => Stretch::Bends,
+                End::Run(_) => self.stretch(*end, along).max(Stretch::Bends),
+                End::Rise(_) => Stretch::Stiff,
+            },
+            Form::Slope { slope, .. } if slope.peel.step(along) > 0 => Stretch::Stiff,
+            Form::Slope { course, end, .. } => self.stretch(*course, along).max(self.stretch(*end, along)),
             Form::Repeat { .. } | Form::Choose(_) => Stretch::Stiff,
         }
     }
@@ -382,6 +413,26 @@ impl<'c> Explainer<'c> {
         let child = self.explain(&units, search);
         let how = boxes.classes().map(|class| (class, How::Repeat));
         self.plan.add(Form::Repeat { axis: period.axis, unit: period.unit, child }, how)
+    }
+
+    fn row(&mut self, boxes: &Boxes, row: &Row, search: Search) -> NodeId {
+        let mut kinds: Vec<Vec<(Class, u32)>> = vec![Vec::new(); row.kinds.len()];
+        for (class, count) in boxes.iter() {
+            for cell in self.corpus.row(class, row.axis).iter() {
+                let kind = row.kind(self.corpus.terminal(*cell));
+                kind.into_iter().for_each(|kind| kinds[kind].push((*cell, count)));
+            }
+        }
+        let cells = kinds.into_iter().map(|cells| self.explain(&Boxes::of(cells), search)).collect();
+        let how = boxes.classes().map(|class| (class, How::Row));
+        self.plan.add(Form::Row { row: row.clone(), cells }, how)
+    }
+
+    fn slope(&mut self, boxes: &Boxes, slope: Slope, search: Search) -> NodeId {
+        let [courses, ends] = slope.parts(self.corpus, boxes);
+        let [course, end] = [courses, ends].map(|part| self.explain(&part, search));
+        let how = boxes.classes().map(|class| (class, How::Slope));
+        self.plan.add(Form::Slope { slope, course, end }, how)
     }
 
     fn choose(&mut self, groups: &[Boxes], search: Search) -> NodeId {

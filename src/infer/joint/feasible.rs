@@ -2,6 +2,7 @@
 
 use super::laws::Law;
 use super::plan::{Form, NodeId, Plan};
+use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 
@@ -62,7 +63,7 @@ pub fn feasible(plan: &Plan, root: NodeId) -> Feasible {
 fn along(plan: &Plan, known: &Feasible, id: NodeId, along: Axis) -> Lengths {
     let of = |child: &NodeId| known[child][along.index()];
     match &plan.node(id).form {
-        Form::Fill(_) => Lengths::ALL,
+        Form::Fill(_) | Form::Row { .. } => Lengths::ALL,
         Form::Split { axis, parts } if *axis == along => {
             let parts = parts.iter().map(|(law, child)| lengths(law).and(of(child)));
             parts.fold(Lengths::of([0]), Lengths::plus)
@@ -74,8 +75,31 @@ fn along(plan: &Plan, known: &Feasible, id: NodeId, along: Axis) -> Lengths {
         Form::Split { .. } | Form::Repeat { .. } | Form::Call { .. } => {
             plan.children(id).iter().map(of).fold(Lengths::ALL, Lengths::and)
         }
+        Form::Slope { slope, course, end } => sloped(slope, of(course), of(end), along),
         Form::Choose(children) => children.iter().map(of).fold(Lengths::of([]), Lengths::or),
     }
+}
+
+/// The lengths that a slope can fill: those that end, and those that leave such a one behind a course.
+fn sloped(slope: &Slope, course: Lengths, end: Lengths, along: Axis) -> Lengths {
+    let step = slope.peel.step(along);
+    if step == 0 {
+        return course.and(end);
+    }
+    let most = slope.ends().find(|(axis, _)| *axis == along).map(|(_, most)| most);
+    let end = match (along, slope.cap) {
+        (Axis::Y, Some(cap)) => Lengths::of(cap..=Lengths::LONGEST),
+        _ => end,
+    };
+    // Where another axis ends it, it may end at any length.
+    let may_end =
+        |len: i32| end.contains(len) && (most.is_none_or(|most| len <= most) || slope.ends().count() > 1);
+    let has_course = |len: i32| along == Axis::Y || course.contains(len);
+    (1..=Lengths::LONGEST).fold(Lengths::NONE, |fills, len| {
+        let goes_on =
+            most.is_none_or(|most| len > most) && has_course(len) && len > step && fills.contains(len - step);
+        if may_end(len) || goes_on { fills.or(Lengths::of([len])) } else { fills }
+    })
 }
 
 /// The lengths that a law may give; one that goes by another part's may give any.

@@ -115,6 +115,12 @@ pub fn fitted(seen: &[Seen], stretch: &[Stretch]) -> Vec<Law> {
             let is_stiff = stretch[*floating] == Stretch::Stiff;
             (overdraws(seen, &laws, *floating), is_stiff, bits, laws)
         });
+        let middles = varying.iter().filter_map(|middle| {
+            let (bits, laws) = between(seen, &constant, &varying, *middle)?;
+            let is_stiff = varying.iter().any(|part| part != middle && stretch[*part] == Stretch::Stiff);
+            Some((false, is_stiff, bits, laws))
+        });
+        let options = options.chain(middles);
         let order =
             |(overdraws, is_stiff, bits, _): &(bool, bool, f64, Vec<Law>)| (*overdraws, *is_stiff, *bits);
         let best = options.min_by(|one, other| {
@@ -198,6 +204,35 @@ fn drawn(seen: &[Seen], constant: &[Law], varying: &[usize], floating: usize) ->
     (bits, laws)
 }
 
+/// One part is drawn and the others that vary, two at least, share evenly what it leaves: `None` if they do not, or if
+/// they might be left less than they were ever seen with. With the bits of all laws and of the draw.
+fn between(seen: &[Seen], constant: &[Law], varying: &[usize], middle: usize) -> Option<(f64, Vec<Law>)> {
+    let others = || varying.iter().copied().filter(|part| *part != middle);
+    let lengths = || seen.iter().map(|(lengths, count)| (lengths[middle], *count));
+    let mut laws = constant.to_vec();
+    others().for_each(|part| laws[part] = Law::Float(1));
+    let with = |len: i32| {
+        let mut laws = laws.clone();
+        laws[middle] = Law::Const(len);
+        laws
+    };
+    let parts = others().count() as i32;
+    let least = seen.iter().flat_map(|(lengths, _)| others().map(|part| lengths[part])).min()?;
+    let most = lengths().map(|(len, _)| len).max()?;
+    let has_room = |(lengths, _): &Seen| {
+        let left = others().map(|part| lengths[part]).sum::<i32>() + lengths[middle] - most;
+        left / parts >= least
+    };
+    if parts < 2
+        || !seen.iter().all(|(lengths, _)| gives(&with(lengths[middle]), lengths))
+        || !seen.iter().all(has_room)
+    {
+        return None;
+    }
+    laws[middle] = law_of(lengths());
+    Some((laws[middle].bits() + laws[middle].chance(lengths()), laws))
+}
+
 /// The shortest law of lengths that are left to chance: a range where they fill it about evenly, else a table. What
 /// lies between a few lengths may never be right, as with windows of 2, 3 and 5; between many it is.
 pub fn law_of(lengths: impl Iterator<Item = (i32, u32)>) -> Law {
@@ -258,6 +293,14 @@ mod tests {
     fn equal_lengths_are_drawn_once() {
         let laws = laws_of(&[&[1, 3, 1], &[2, 2, 2], &[2, 5, 2]], &[Stretch::Alike; 3]);
         assert_eq!(laws, [Law::Range { low: 1, high: 2, step: 1 }, Law::Float(1), Law::Same(0)]);
+    }
+
+    #[test]
+    fn what_is_drawn_may_stand_in_the_middle() {
+        let seen: [&[i32]; 4] = [&[1, 3, 2, 3, 1], &[1, 3, 3, 3, 1], &[1, 4, 2, 4, 1], &[1, 2, 3, 2, 1]];
+        let laws = laws_of(&seen, &[Stretch::Alike; 5]);
+        let middle = Law::Range { low: 2, high: 3, step: 1 };
+        assert_eq!(laws, [Law::Const(1), Law::Float(1), middle, Law::Float(1), Law::Const(1)]);
     }
 
     #[test]

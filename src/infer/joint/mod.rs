@@ -21,15 +21,18 @@ mod laws;
 mod limits;
 mod memo;
 mod merge;
+mod peel;
 mod plan;
 mod planes;
 mod pool;
 mod recolour;
 mod repeats;
 mod replace;
+mod rows;
 mod samples;
 mod scope;
 mod seams;
+mod slopes;
 mod starts;
 mod volume;
 
@@ -72,6 +75,8 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     }
     let mut terminals = Terminals::default();
     let mut corpus = corpus(examples, open, &mut terminals);
+    // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
+    corpus.draws_rows = freedom == Freedom::Free;
     let shown = Shown::by(examples);
     let places = corpus.examples();
     let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
@@ -126,18 +131,21 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
 /// Whether there was any.
 fn repair(explainer: &mut Explainer<'_>, limits: &mut Limits, repairs: &[Repairs]) -> bool {
     let mut kept = Vec::new();
-    let mut is_new = false;
+    let mut now: Vec<&Vec<Repair>> = Vec::new();
     for repairs in repairs {
         let (harsh, mild): (Vec<&Vec<Repair>>, Vec<&Vec<Repair>>) =
             repairs.iter().partition(|group| matches!(group.first(), Some(Repair::Keep(_))));
-        let made = mild
-            .into_iter()
-            .any(|group| group.iter().fold(false, |made, repair| made | make(explainer, limits, repair)));
-        is_new |= made;
-        if !made {
-            kept.push(harsh);
+        // What was repaired for another fault may be all there is to this one.
+        let made = mild.into_iter().find(|group| {
+            now.contains(group)
+                || group.iter().fold(false, |made, repair| made | make(explainer, limits, repair))
+        });
+        match made {
+            Some(group) => now.push(group),
+            None => kept.push(harsh),
         }
     }
+    let mut is_new = !now.is_empty();
     if !is_new {
         for group in kept {
             is_new |= group.into_iter().flatten().any(|repair| make(explainer, limits, repair));

@@ -3,9 +3,11 @@
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::choice;
+use super::estimate::{SLOPE, choice};
 use super::laws::{Law, integer};
 use super::recolour::{ARGUMENT, CALL};
+use super::rows::Row;
+use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
@@ -28,6 +30,17 @@ pub enum Form {
         child: NodeId,
     },
     Choose(Vec<NodeId>),
+    /// Cells of a row, by kind.
+    Row {
+        row: Row,
+        cells: Vec<NodeId>,
+    },
+    /// Courses that get narrower, and what is left behind the last of them.
+    Slope {
+        slope: Slope,
+        course: NodeId,
+        end: NodeId,
+    },
     /// The child with arguments for its parameters.
     Call {
         parameters: Vec<u32>,
@@ -43,6 +56,8 @@ pub enum How {
     /// Where the parts start, from the second one on.
     Split(SmallVec<[i32; 4]>),
     Repeat,
+    Row,
+    Slope,
     /// The number of the alternative.
     Choose(usize),
     /// The class with parameters.
@@ -101,7 +116,8 @@ impl Plan {
             Form::Fill(_) => Vec::new(),
             Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
             Form::Repeat { child, .. } | Form::Call { child, .. } => vec![*child],
-            Form::Choose(children) => children.clone(),
+            Form::Slope { course, end, .. } => vec![*course, *end],
+            Form::Row { cells: children, .. } | Form::Choose(children) => children.clone(),
         }
     }
 
@@ -162,6 +178,8 @@ impl Shapes {
                 children.extend(arguments);
                 8
             }
+            Form::Slope { .. } => 9,
+            Form::Row { row, .. } => 10 + row.axis.index() as u8,
             Form::Choose(_) => {
                 children.sort_unstable();
                 children.dedup();
@@ -192,6 +210,11 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
             let rows = rows();
             dependence::of_units(corpus, &rows, *axis)
         }
+        Form::Row { row, .. } => {
+            let rows = rows();
+            dependence::of_cells(corpus, &rows, row.axis)
+        }
+        Form::Slope { slope, .. } => dependence::of_courses(corpus, boxes, slope),
         Form::Fill(_) | Form::Choose(_) | Form::Call { .. } => 0.0,
     }
 }
@@ -199,7 +222,7 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
 /// The bits of what a node leaves to chance.
 fn chance(node: &Node, corpus: &Corpus, boxes: &Boxes) -> f64 {
     match &node.form {
-        Form::Fill(_) | Form::Repeat { .. } | Form::Call { .. } => 0.0,
+        Form::Fill(_) | Form::Repeat { .. } | Form::Slope { .. } | Form::Call { .. } => 0.0,
         Form::Split { axis, parts } => {
             let lengths = |number: usize| {
                 boxes.iter().filter_map(move |(class, count)| {
@@ -212,6 +235,7 @@ fn chance(node: &Node, corpus: &Corpus, boxes: &Boxes) -> f64 {
             };
             parts.iter().enumerate().map(|(number, (law, _))| law.chance(lengths(number))).sum()
         }
+        Form::Row { row, .. } => row.chance(),
         Form::Choose(children) => {
             let mut counts = vec![0; children.len()];
             for (class, count) in boxes.iter() {
@@ -235,6 +259,8 @@ fn model(form: &Form, is_new: bool) -> f64 {
             (KIND + AXIS + integer(parts.len() as i32), parts.iter().map(|(law, _)| law.bits()).sum())
         }
         Form::Repeat { unit, .. } => (KIND + AXIS, integer(*unit)),
+        Form::Row { row, .. } => (KIND + AXIS + row.model(), 0.0),
+        Form::Slope { slope, .. } => (SLOPE, slope.ends().map(|(_, most)| integer(most)).sum()),
         Form::Call { arguments, .. } => (CALL + ARGUMENT * arguments.len() as f64, 0.0),
         Form::Choose(children) => (KIND + integer(children.len() as i32) + 3.0 * children.len() as f64, 0.0),
     };
@@ -293,6 +319,16 @@ pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec
             let len = corpus.profile(class).len(*axis);
             let starts = (0..len).step_by(*unit as usize);
             starts.map(|at| (*child, corpus.part(class, *axis, at, at + unit))).collect()
+        }
+        (Form::Row { row, cells }, Some(How::Row)) => {
+            let classes = corpus.row(class, row.axis);
+            let cell = |class: &Class| Some((cells[row.kind(corpus.terminal(*class))?], *class));
+            classes.iter().filter_map(cell).collect()
+        }
+        (Form::Slope { slope, course, end }, Some(How::Slope)) => {
+            let courses = slope.courses_of(corpus, class).into_iter().map(|part| (*course, part));
+            let last = slope.end_of(corpus, class);
+            courses.chain([(*end, last)]).collect()
         }
         (Form::Call { child, .. }, Some(How::Call(class))) => vec![(*child, *class)],
         (Form::Choose(children), Some(How::Choose(number))) => vec![(children[*number], class)],

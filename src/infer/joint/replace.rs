@@ -28,6 +28,13 @@ fn rebuilt(plan: &mut Plan, id: NodeId, now: &FxHashMap<NodeId, NodeId>) -> Node
             plan.add(Form::Split { axis, parts }, how)
         }
         Form::Repeat { axis, unit, child } => plan.add(Form::Repeat { axis, unit, child: now[&child] }, how),
+        Form::Row { row, cells } => {
+            let cells = cells.iter().map(|cell| now[cell]).collect();
+            plan.add(Form::Row { row, cells }, how)
+        }
+        Form::Slope { slope, course, end } => {
+            plan.add(Form::Slope { slope, course: now[&course], end: now[&end] }, how)
+        }
         Form::Call { parameters, arguments, child } => {
             plan.add(Form::Call { parameters, arguments, child: now[&child] }, how)
         }

@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 pub struct Scope {
     free: FxHashMap<NodeId, Vec<u32>>,
     places: FxHashMap<NodeId, usize>,
+    /// What is written as a choice.
     choices: BTreeSet<NodeId>,
 }
 
@@ -34,7 +35,7 @@ impl Scope {
             let free = scope.left_open(plan, id);
             scope.free.insert(id, free.into_iter().collect());
             plan.children(id).into_iter().for_each(|child| *scope.places.entry(child).or_insert(0) += 1);
-            if let Form::Choose(_) = plan.node(id).form {
+            if let Form::Choose(_) | Form::Slope { .. } = plan.node(id).form {
                 scope.choices.insert(id);
             }
         }

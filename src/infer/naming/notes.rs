@@ -107,10 +107,13 @@ fn constants(graph: &OpGraph) -> BTreeMap<String, String> {
     storeys.into_iter().chain(materials).collect()
 }
 
-/// How often each alternative of each choice was seen.
+/// How often each alternative of each choice was seen; where a rule calls itself, its size tells which.
 fn alternatives(graph: &OpGraph, sights: &[Sight], examples: usize) -> BTreeMap<String, Vec<String>> {
     let of_node = |node: NodeIndex| {
         let seen = &sights[node.index()].chosen;
+        if graph.leads_to(node, node) {
+            return None;
+        }
         let label = graph.name(node)?.label.clone();
         (!seen.is_empty()).then(|| (label, texts(&weights(graph, node), seen, examples)))
     };

@@ -63,7 +63,7 @@ fn nodes_with_rules(graph: &OpGraph) -> BTreeSet<NodeIndex> {
     let open = graph.open_params();
     let mut extents = vec![Extent::default(); graph.len()];
     let mut nodes = BTreeSet::new();
-    for node in graph.children_first().unwrap_or_default() {
+    for node in graph.inner_first() {
         let children = || graph.children(node).map(|(_, child)| extents[child.index()]);
         let inside = Extent {
             words: children().map(|extent| extent.words).sum(),
@@ -103,7 +103,7 @@ fn must_have_rules(graph: &OpGraph) -> BTreeSet<NodeIndex> {
 fn doorways(graph: &OpGraph) -> BTreeSet<NodeIndex> {
     let mut holds = vec![false; graph.len()];
     let mut doorways = BTreeSet::new();
-    for node in graph.children_first().unwrap_or_default() {
+    for node in graph.inner_first() {
         let is_door = |node| Leaf::of(graph, node).is_some_and(|leaf| leaf.kind == Kind::Door);
         let children = || graph.children(node).map(|(_, child)| child);
         let is_below = children().any(|child| holds[child.index()]);

@@ -171,7 +171,7 @@ fn look(
 
 /// What is known of nodes that stand in no derivation: what lies below them, each mention as one cell.
 fn guess(sights: &mut [Sight], graph: &OpGraph, leaves: &[Option<Leaf>]) {
-    for node in graph.children_first().unwrap_or_default() {
+    for node in graph.inner_first() {
         if !sights[node.index()].kinds.is_empty() {
             continue;
         }

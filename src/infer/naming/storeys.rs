@@ -62,7 +62,7 @@ fn storeys(examples: &[Example], fixed: i32, each: i32) -> Option<Expr> {
 
 fn rise_of_root(graph: &OpGraph) -> Rise {
     let mut rises = vec![Rise::Other; graph.len()];
-    for node in graph.children_first().unwrap_or_default() {
+    for node in graph.inner_first() {
         rises[node.index()] = rise(graph, node, &rises);
     }
     rises[graph.root().index()]
