@@ -91,10 +91,10 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
         if explainer.is_spent() || explainer.tells_most_apart(root, &boxes) {
             return None;
         }
-        let emit = |explainer: &mut Explainer<'_>, root, sizes| {
-            emit::emit(&explainer.plan, explainer.corpus, root, &boxes, &terminals, (open, sizes), &limits)
+        let emit = |explainer: &mut Explainer<'_>, terminals: &Terminals, root, sizes| {
+            emit::emit(&explainer.plan, explainer.corpus, root, &boxes, terminals, (open, sizes), &limits)
         };
-        let emitted = emit(&mut explainer, root, Sizes::Seen);
+        let emitted = emit(&mut explainer, &terminals, root, Sizes::Seen);
         let faults = match freedom {
             Freedom::Seen => shown.faults(&emitted.learnt.graph, &mut terminals),
             Freedom::Free => Vec::new(),
@@ -102,13 +102,13 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
         if faults.is_empty() {
             let is_like = |graph: &OpGraph| freedom == Freedom::Free || shown.is_like(graph);
             let holds = |explainer: &mut Explainer<'_>, root| {
-                is_like(&emit(explainer, root, Sizes::Seen).learnt.graph)
+                is_like(&emit(explainer, &terminals, root, Sizes::Seen).learnt.graph)
             };
             let root = pool::pooled(&mut explainer, root, &boxes, Search(AHEAD), holds);
-            let of_any_size = emit(&mut explainer, root, Sizes::Between).learnt;
+            let of_any_size = emit(&mut explainer, &terminals, root, Sizes::Between).learnt;
             let learnt = match is_like(&of_any_size.graph) {
                 true => of_any_size,
-                false => emit(&mut explainer, root, Sizes::Seen).learnt,
+                false => emit(&mut explainer, &terminals, root, Sizes::Seen).learnt,
             };
             return shown.is_exceeded(&learnt.graph).then_some(learnt);
         }
