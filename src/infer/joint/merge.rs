@@ -8,6 +8,7 @@ use super::plan::{self, NodeId};
 use super::recolour::Recolouring;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// One description for the boxes of some rules.
 pub struct Merge {
@@ -136,7 +137,7 @@ struct Rule {
     terminals: BTreeSet<u32>,
     skeletons: BTreeSet<Skeleton>,
     /// Skeletons in any materials.
-    patterns: BTreeSet<Vec<u32>>,
+    patterns: BTreeSet<Rc<[u32]>>,
 }
 
 impl Rule {
@@ -157,7 +158,7 @@ fn rules(explainer: &mut Explainer<'_>, root: NodeId, boxes: &Boxes) -> Vec<Rule
         id,
         terminals: boxes.classes().flat_map(|class| corpus.terminals(class).to_vec()).collect(),
         skeletons: boxes.classes().map(|class| corpus.profile(class).skeleton).collect(),
-        patterns: boxes.classes().map(|class| corpus.pattern(class).0).collect(),
+        patterns: boxes.classes().map(|class| corpus.pattern(class).numbers.clone()).collect(),
         boxes,
     };
     let all = all.into_iter().filter_map(|own| own.1.fill(corpus).is_none().then(|| rule(corpus, own)));
