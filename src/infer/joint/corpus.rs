@@ -114,6 +114,8 @@ pub struct Corpus {
     parameters: FxHashMap<Vec<u32>, u32>,
     /// How often it was asked for the part of a box, and what it took to tell new ones: a measure of the work done.
     pub asked: u64,
+    /// Where the search is cut short.
+    pub most_asked: u64,
 }
 
 impl Corpus {
@@ -126,6 +128,7 @@ impl Corpus {
             recoloured: FxHashMap::default(),
             parameters: FxHashMap::default(),
             asked: 0,
+            most_asked: u64::MAX,
             volumes,
             classes: FxHashMap::default(),
             profiles: Vec::new(),
@@ -134,6 +137,11 @@ impl Corpus {
             found: Vec::new(),
             folded: FxHashMap::default(),
         }
+    }
+
+    /// Whether so much was looked at that the search is cut short.
+    pub fn is_spent(&self) -> bool {
+        self.asked > self.most_asked
     }
 
     pub fn volume(&self, place: Place) -> &Volume {

@@ -27,10 +27,13 @@ pub struct Estimates {
 impl Estimates {
     /// The bits of a description of `boxes`: on the best axis, those of every slice that differs, once for all
     /// boxes; those of the sequences of slices; of the choice between sequences; and of the planes that are free
-    /// to move. Or those of the units that they repeat.
+    /// to move. Or those of the units that they repeat. Beyond all measure once the search is cut short.
     pub fn bits(&mut self, corpus: &mut Corpus, boxes: &Boxes) -> f64 {
         if let Some(&known) = self.boxes.get(boxes) {
             return known;
+        }
+        if corpus.is_spent() {
+            return f64::INFINITY;
         }
         let plain = self.plain(corpus, boxes);
         let repeats = Period::of(corpus, boxes);
@@ -49,6 +52,9 @@ impl Estimates {
         let mut known = FxHashSet::default();
         let mut bits = 0.0;
         for group in groups {
+            if corpus.is_spent() {
+                return f64::INFINITY;
+            }
             let across = Axis::ALL.map(|axis| (axis, self.across(corpus, group, axis, &mut known.clone())));
             let best = across.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b));
             let repeated = self.bits(corpus, group);
@@ -64,6 +70,9 @@ impl Estimates {
     fn plain(&mut self, corpus: &mut Corpus, boxes: &Boxes) -> f64 {
         if boxes.fill(corpus).is_some() {
             return ROW + RUN;
+        }
+        if corpus.is_spent() {
+            return f64::INFINITY;
         }
         let axes = Axis::ALL.map(|axis| self.across(corpus, boxes, axis, &mut FxHashSet::default()));
         axes.into_iter().fold(f64::INFINITY, f64::min) + free(corpus, boxes)
@@ -99,7 +108,7 @@ impl Estimates {
     ) -> f64 {
         let mut bits = 0.0;
         for (number, slice) in corpus.slices(class, axis).iter().enumerate() {
-            if known.insert(*slice) {
+            if !corpus.is_spent() && known.insert(*slice) {
                 let at = corpus.profile(class).starts(axis)[number];
                 let class = corpus.part(class, axis, at, at + 1);
                 bits += self.skeleton(corpus, class);

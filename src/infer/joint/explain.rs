@@ -44,9 +44,12 @@ const SLACK_SHARE: f64 = 0.2;
 const SHARED: f64 = 40.0;
 
 /// Boxes that are looked at before the search is cut short: a few seconds of work.
-const MOST_ASKED: u64 = 4_000_000;
-/// Looking one step ahead takes about so many times as much as taking what is estimated best.
-const AHEAD_TAKES: u64 = 4;
+const MOST_ASKED: u64 = 6_000_000;
+/// Looking one step ahead, with repairs and pooling, takes at least so many times as much as taking what is estimated best.
+const AHEAD_TAKES: u64 = 3;
+
+/// What stands for all that is not searched for any more.
+const UNKNOWN: u32 = u32::MAX;
 
 /// One way to explain boxes.
 #[derive(Clone, Debug)]
@@ -59,6 +62,7 @@ enum Step {
 impl<'c> Explainer<'c> {
     pub fn new(corpus: &'c mut Corpus) -> Explainer<'c> {
         let (plan, estimates) = (Plan::default(), Estimates::default());
+        corpus.most_asked = MOST_ASKED / AHEAD_TAKES;
         Explainer { corpus, plan, estimates, memo: Memo::default(), kept: FxHashSet::default() }
     }
 
@@ -77,14 +81,14 @@ impl<'c> Explainer<'c> {
         2 * alone.count() > boxes.kinds()
     }
 
-    /// Whether so little was looked at without looking ahead that there is enough left to do so.
-    pub fn may_look_ahead(&self) -> bool {
-        self.corpus.asked <= MOST_ASKED / AHEAD_TAKES
+    /// Whether so much was looked at that the search was cut short: then its nodes describe nothing.
+    pub fn is_spent(&self) -> bool {
+        self.corpus.is_spent()
     }
 
-    /// Whether so much was looked at that the search had to be cut short.
-    pub fn is_spent(&self) -> bool {
-        self.corpus.asked > MOST_ASKED
+    /// From now on there is enough left to look ahead.
+    pub fn look_ahead(&mut self) {
+        self.corpus.most_asked = MOST_ASKED;
     }
 
     /// Mixes these boxes with no other any more, once they are explained again; whether that is new.
@@ -158,8 +162,11 @@ impl<'c> Explainer<'c> {
         calls
     }
 
-    /// The node that describes all `boxes`.
+    /// The node that describes all `boxes`; any, once the search is cut short.
     pub fn explain(&mut self, boxes: &Boxes, search: Search) -> NodeId {
+        if self.is_spent() {
+            return self.plan.add(Form::Fill(UNKNOWN), []);
+        }
         if let Some(known) = self.memo.get(boxes, search) {
             return known;
         }
@@ -190,7 +197,7 @@ impl<'c> Explainer<'c> {
     /// The best step by the estimate, or of the best ones by what comes of each.
     fn best(&mut self, boxes: &Boxes, search: Search) -> Step {
         let steps = self.steps_in_order(boxes);
-        let mut tried: Vec<Step> = match search.0 == 0 || self.is_spent() {
+        let mut tried: Vec<Step> = match search.0 == 0 {
             true => steps.into_iter().map(|(_, step)| step).take(1).collect(),
             false => worth_trying(steps),
         };
@@ -217,7 +224,7 @@ impl<'c> Explainer<'c> {
         let mut sure = 0;
         let mut told: Vec<(f64, Step)> = Vec::with_capacity(steps.len());
         for (bits, step) in steps {
-            if sure >= SURE {
+            if sure >= SURE || self.is_spent() {
                 break;
             }
             let apart = self.apart(boxes, &step);
@@ -257,6 +264,9 @@ impl<'c> Explainer<'c> {
             return steps;
         }
         for plane in planes(self.corpus, boxes) {
+            if self.is_spent() {
+                break;
+            }
             let [left, right] = plane.halves(self.corpus, boxes);
             let halves = self.halves(&left, &right);
             steps.push((plane.bits + halves, Step::Cut(plane)));
@@ -397,4 +407,43 @@ fn worth_trying(steps: Vec<(f64, Step)>) -> Vec<Step> {
     let near = steps.into_iter().filter(|(bits, _)| *bits <= worst).map(|(_, step)| step);
     let (choices, cuts): (Vec<Step>, Vec<Step>) = near.partition(|step| matches!(step, Step::Choose(_)));
     cuts.into_iter().take(CUTS).chain(choices.into_iter().take(CHOICES)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::volume::Volume;
+    use super::*;
+    use ndarray::Array3;
+    use proptest::prelude::*;
+
+    /// Blocks at random: nothing describes them but they themselves.
+    fn noise(size: usize, seed: u32) -> Volume {
+        let mut state = seed;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            state >> 29
+        };
+        Volume::new(Array3::from_shape_simple_fn((size, size, size), &mut next), &[])
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4))]
+
+        /// However much there is to look at, the search stops soon behind its limit, at the same place each time.
+        #[test]
+        fn the_search_stops(seed in 0u32..1000, size in 24usize..32) {
+            let asked = [(); 2].map(|()| {
+                let volumes = vec![noise(size, seed), noise(size, seed + 1)];
+                let mut corpus = Corpus::new(volumes, 0);
+                let places = corpus.examples();
+                let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
+                let mut explainer = Explainer::new(&mut corpus);
+                explainer.explain(&boxes, Search(0));
+                assert!(explainer.is_spent());
+                explainer.corpus.asked
+            });
+            prop_assert_eq!(asked[0], asked[1]);
+            prop_assert!(asked[0] < MOST_ASKED);
+        }
+    }
 }
