@@ -1,5 +1,6 @@
 //! How long a description of boxes will be, before it is searched for.
 
+use super::alternation::{Alternation, units_and_separators};
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Sequence, Skeleton};
 use super::repeats::Period;
@@ -16,6 +17,8 @@ pub const ALTERNATIVE: f64 = 3.0;
 const FREE: f64 = 4.0;
 /// Bits of a repeat.
 pub const REPEAT: f64 = 7.0;
+/// Bits of units with separators between them: a repeat, and two planes at fixed distances.
+pub const ALTERNATION: f64 = 21.0;
 
 /// What was estimated, by what was asked.
 #[derive(Default, Debug)]
@@ -42,6 +45,12 @@ impl Estimates {
             REPEAT + parts.into_iter().map(|part| self.plain(corpus, &part)).sum::<f64>()
         });
         let bits = repeated.fold(plain, f64::min);
+        let alternating = Alternation::of(corpus, boxes).into_iter().map(|alternation| {
+            let rows = alternation.rows(corpus, boxes);
+            ALTERNATION
+                + units_and_separators(&rows).map(|part| self.plain(corpus, &part)).iter().sum::<f64>()
+        });
+        let bits = alternating.fold(bits, f64::min);
         self.boxes.insert(boxes.clone(), bits);
         bits
     }

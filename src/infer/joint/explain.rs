@@ -1,9 +1,10 @@
 //! The search: one operation for all boxes of a rule, and the same again for what it makes of them.
 
+use super::alternation::{Alternation, units_and_separators};
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
-use super::estimate::{ALTERNATIVE, Estimates, REPEAT, choice};
+use super::estimate::{ALTERNATION, ALTERNATIVE, Estimates, REPEAT, choice};
 use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
@@ -22,6 +23,7 @@ pub struct Explainer<'c> {
     pub plan: Plan,
     estimates: Estimates,
     memo: Memo,
+    recolourings: FxHashMap<Boxes, Option<Recolouring>>,
     /// Boxes that are mixed with no other: they are told apart from them, and keep their sizes.
     kept: FxHashSet<Boxes>,
 }
@@ -56,14 +58,18 @@ const UNKNOWN: u32 = u32::MAX;
 enum Step {
     Cut(Plane),
     Repeat(Period),
+    Alternate(Alternation),
     Choose(Vec<Boxes>),
+    /// Each material of its own, of one description with parameters.
+    Call(Recolouring),
 }
 
 impl<'c> Explainer<'c> {
     pub fn new(corpus: &'c mut Corpus) -> Explainer<'c> {
         let (plan, estimates) = (Plan::default(), Estimates::default());
+        let (memo, recolourings, kept) = Default::default();
         corpus.most_asked = MOST_ASKED / AHEAD_TAKES;
-        Explainer { corpus, plan, estimates, memo: Memo::default(), kept: FxHashSet::default() }
+        Explainer { corpus, plan, estimates, memo, recolourings, kept }
     }
 
     /// Whether a node is a choice in which most boxes share nothing with any other.
@@ -113,7 +119,7 @@ impl<'c> Explainer<'c> {
     /// All that was explained on the way to `boxes` and is part of how they are described, by its node.
     pub fn in_use(&mut self, boxes: &Boxes, search: Search) -> FxHashMap<NodeId, Vec<Boxes>> {
         let mut all = self.memo.in_use(boxes, search);
-        if let Some(recolouring) = Recolouring::of(self.corpus, boxes) {
+        if let Some(recolouring) = self.recolouring(boxes) {
             let called = self.memo.in_use(&recolouring.boxes(), search);
             called.into_iter().for_each(|(node, boxes)| all.entry(node).or_default().extend(boxes));
         }
@@ -129,6 +135,19 @@ impl<'c> Explainer<'c> {
         self.estimates.bits(self.corpus, boxes)
     }
 
+    /// How boxes that may be mixed are one description in several materials, if they are.
+    pub fn recolouring(&mut self, boxes: &Boxes) -> Option<Recolouring> {
+        if boxes.kinds() < 2 || self.is_kept(boxes) {
+            return None;
+        }
+        if let Some(known) = self.recolourings.get(boxes) {
+            return known.clone();
+        }
+        let found = Recolouring::of(self.corpus, boxes);
+        self.recolourings.insert(boxes.clone(), found.clone());
+        found
+    }
+
     /// The bits of one description in several materials, before it is searched for.
     pub fn estimate_calls(&mut self, recolouring: &Recolouring) -> f64 {
         let counts: Vec<u32> = recolouring.groups.iter().map(Recoloured::count).collect();
@@ -141,8 +160,7 @@ impl<'c> Explainer<'c> {
     /// shorter.
     pub fn explain_examples(&mut self, boxes: &Boxes, search: Search) -> NodeId {
         let plain = self.explain(boxes, search);
-        let recolouring = (!self.is_kept(boxes)).then(|| Recolouring::of(self.corpus, boxes)).flatten();
-        let Some(recolouring) = recolouring else { return plain };
+        let Some(recolouring) = self.recolouring(boxes) else { return plain };
         let calls = self.calls(&recolouring, search);
         let called = self.plan.choose(calls.into_iter().collect());
         let bits = [plain, called].map(|node| plan::bits(&self.plan, self.corpus, node, boxes));
@@ -190,7 +208,12 @@ impl<'c> Explainer<'c> {
         match step {
             Step::Cut(plane) => self.cut(boxes, plane, search),
             Step::Repeat(period) => self.repeat(boxes, *period, search),
+            Step::Alternate(alternation) => self.alternate(boxes, *alternation, search),
             Step::Choose(groups) => self.choose(groups, search),
+            Step::Call(recolouring) => {
+                let calls = self.calls(recolouring, search);
+                self.plan.choose(calls.into_iter().collect())
+            }
         }
     }
 
@@ -250,6 +273,11 @@ impl<'c> Explainer<'c> {
                 let units = dependence::units(self.corpus, boxes, *period);
                 dependence::of_units(self.corpus, &units, period.axis)
             }
+            Step::Alternate(alternation) => {
+                let rows = alternation.rows(self.corpus, boxes);
+                dependence::of_alternation(self.corpus, &rows, alternation.axis)
+            }
+            Step::Call(recolouring) => dependence::of_calls(self.corpus, &recolouring.called()),
             Step::Choose(_) => 0.0,
         }
     }
@@ -280,13 +308,32 @@ impl<'c> Explainer<'c> {
                 steps.push((REPEAT + self.estimates.bits(self.corpus, &units), Step::Repeat(period)));
             }
         }
+        for alternation in Alternation::of(self.corpus, boxes) {
+            if let Some(bits) = self.alternating(boxes, alternation) {
+                steps.push((bits, Step::Alternate(alternation)));
+            }
+        }
+        if let Some(recolouring) = self.recolouring(boxes) {
+            steps.push((self.estimate_calls(&recolouring), Step::Call(recolouring)));
+        }
         steps
+    }
+
+    /// The estimate of an alternation, unless it would mix what is kept apart.
+    fn alternating(&mut self, boxes: &Boxes, alternation: Alternation) -> Option<f64> {
+        let rows = alternation.rows(self.corpus, boxes);
+        let parts = units_and_separators(&rows);
+        let is_mixed = parts.iter().any(|part| part.kinds() > 1 && self.is_kept(part));
+        let bits = parts.iter().map(|part| self.estimates.bits(self.corpus, part)).sum::<f64>();
+        (!is_mixed).then_some(ALTERNATION + bits)
     }
 
     /// The estimate of what is on both sides of a plane, by itself or as one rule.
     fn halves(&mut self, left: &Boxes, right: &Boxes) -> f64 {
-        let apart = self.estimate(left) + self.estimate(right);
-        match [left, right].iter().any(|half| half.fill(self.corpus).is_some()) {
+        let [one, other] = [left, right].map(|half| self.estimate(half));
+        let apart = one + other;
+        // Both together take as much as the dearer of them.
+        match one.min(other) <= SHARED {
             true => apart,
             false => apart.min(SHARED + self.estimate(&Boxes::of(left.iter().chain(right.iter())))),
         }
@@ -390,6 +437,52 @@ impl<'c> Explainer<'c> {
         self.plan.add(Form::Repeat { axis: period.axis, unit: period.unit, child }, how)
     }
 
+    /// Units and separators each as one rule: as parts of one split where all boxes have as many, else as a repeat of
+    /// both with the last unit behind it.
+    fn alternate(&mut self, boxes: &Boxes, alternation: Alternation, search: Search) -> NodeId {
+        let rows = alternation.rows(self.corpus, boxes);
+        let children = units_and_separators(&rows).map(|part| self.explain(&part, search));
+        let Alternation { axis, unit, .. } = alternation;
+        let len = |explainer: &Self, class| explainer.corpus.profile(class).len(axis);
+        let parts = rows[0].0.len();
+        if rows.iter().all(|(row, _)| row.len() == parts) {
+            let children: Vec<NodeId> = (0..parts).map(|part| children[part % 2]).collect();
+            let starts = boxes
+                .iter()
+                .map(|(class, count)| (class, count, alternation.planes(len(self, class)).collect()));
+            return self.split(boxes, axis, &children, starts.collect());
+        }
+        let repeated =
+            boxes.parts(self.corpus, axis, |corpus, class| (0, corpus.profile(class).len(axis) - unit));
+        let repeat = self.repeat_of(&repeated, alternation, children, search);
+        let starts = boxes
+            .iter()
+            .map(|(class, count)| (class, count, SmallVec::from_slice(&[len(self, class) - unit])));
+        self.split(boxes, axis, &[repeat, children[0]], starts.collect())
+    }
+
+    /// Units with a separator behind each.
+    fn repeat_of(
+        &mut self,
+        boxes: &Boxes,
+        alternation: Alternation,
+        children: [NodeId; 2],
+        search: Search,
+    ) -> NodeId {
+        let Alternation { axis, unit, .. } = alternation;
+        let period = Period { axis, before: 0, behind: 0, unit: alternation.period() };
+        let units = period.units(self.corpus, boxes);
+        self.memo.begin(boxes, search);
+        self.memo.begin(&units, search);
+        let starts = units.iter().map(|(class, count)| (class, count, SmallVec::from_slice(&[unit])));
+        let child = self.split(&units, axis, &children, starts.collect());
+        self.memo.end(child);
+        let how = boxes.classes().map(|class| (class, How::Repeat));
+        let node = self.plan.add(Form::Repeat { axis, unit: period.unit, child }, how);
+        self.memo.end(node);
+        node
+    }
+
     fn choose(&mut self, groups: &[Boxes], search: Search) -> NodeId {
         let mut of = Vec::new();
         for group in groups {
@@ -405,7 +498,8 @@ fn worth_trying(steps: Vec<(f64, Step)>) -> Vec<Step> {
     let least = steps.first().map_or(0.0, |(bits, _)| *bits);
     let worst = least + SLACK + SLACK_SHARE * least;
     let near = steps.into_iter().filter(|(bits, _)| *bits <= worst).map(|(_, step)| step);
-    let (choices, cuts): (Vec<Step>, Vec<Step>) = near.partition(|step| matches!(step, Step::Choose(_)));
+    let is_choice = |step: &Step| matches!(step, Step::Choose(_) | Step::Call(_));
+    let (choices, cuts): (Vec<Step>, Vec<Step>) = near.partition(is_choice);
     cuts.into_iter().take(CUTS).chain(choices.into_iter().take(CHOICES)).collect()
 }
 

@@ -30,6 +30,11 @@ impl Law {
         Law::Table(counts.into_iter().collect())
     }
 
+    /// Whether it leaves lengths to chance.
+    pub fn is_drawn(&self) -> bool {
+        matches!(self, Law::Range { .. } | Law::Table(_))
+    }
+
     /// The longest that it gives by itself.
     fn most(&self) -> i32 {
         match self {

@@ -6,7 +6,6 @@ use super::corpus::{Corpus, Skeleton};
 use super::explain::{Explainer, Search};
 use super::plan::{self, NodeId};
 use super::recolour::Recolouring;
-use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -70,45 +69,30 @@ impl Merge {
     }
 }
 
-/// The merges of plans, with what was found out about boxes before.
-#[derive(Default)]
-pub struct Merges {
-    recolourings: FxHashMap<Boxes, Option<Recolouring>>,
-}
-
-impl Merges {
-    /// All merges that promise anything, the best first.
-    pub fn of(&mut self, explainer: &mut Explainer<'_>, root: NodeId, boxes: &Boxes) -> Vec<Merge> {
-        let rules = rules(explainer, root, boxes);
-        let mut merges: Vec<Merge> = Vec::new();
-        for (number, one) in rules.iter().enumerate() {
-            merges.extend(self.by_materials(explainer, &[one]));
-            for other in rules[number + 1..].iter().filter(|other| other.boxes != one.boxes) {
-                if one.id != root && one.is_like(other) {
-                    merges.push(together(explainer, &[one, other]));
-                } else if one.id != root && one.is_patterned_like(other) {
-                    merges.extend(self.by_materials(explainer, &[one, other]));
-                }
+/// All merges that promise anything, the best first.
+pub fn merges(explainer: &mut Explainer<'_>, root: NodeId, boxes: &Boxes) -> Vec<Merge> {
+    let rules = rules(explainer, root, boxes);
+    let mut merges: Vec<Merge> = Vec::new();
+    for (number, one) in rules.iter().enumerate() {
+        merges.extend(by_materials(explainer, &[one]));
+        for other in rules[number + 1..].iter().filter(|other| other.boxes != one.boxes) {
+            if one.id != root && one.is_like(other) {
+                merges.push(together(explainer, &[one, other]));
+            } else if one.id != root && one.is_patterned_like(other) {
+                merges.extend(by_materials(explainer, &[one, other]));
             }
         }
-        merges.retain(|merge| merge.promise > 0.0);
-        merges.sort_by(|one, other| other.promise.total_cmp(&one.promise));
-        merges
     }
+    merges.retain(|merge| merge.promise > 0.0);
+    merges.sort_by(|one, other| other.promise.total_cmp(&one.promise));
+    merges
+}
 
-    fn by_materials(&mut self, explainer: &mut Explainer<'_>, rules: &[&Rule]) -> Option<Merge> {
-        let all = union(rules);
-        let recolouring = match self.recolourings.get(&all) {
-            Some(known) => known.clone(),
-            None => {
-                let found = Recolouring::of(explainer.corpus, &all);
-                self.recolourings.insert(all, found.clone());
-                found
-            }
-        }?;
-        let promise = apart(explainer, rules) - explainer.estimate_calls(&recolouring);
-        Some(Merge { rules: places(rules), by: By::Materials(recolouring), promise })
-    }
+fn by_materials(explainer: &mut Explainer<'_>, rules: &[&Rule]) -> Option<Merge> {
+    let all = union(rules);
+    let recolouring = explainer.recolouring(&all)?;
+    let promise = apart(explainer, rules) - explainer.estimate_calls(&recolouring);
+    Some(Merge { rules: places(rules), by: By::Materials(recolouring), promise })
 }
 
 fn together(explainer: &mut Explainer<'_>, rules: &[&Rule]) -> Merge {

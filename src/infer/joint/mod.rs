@@ -5,6 +5,7 @@
 //! Example --volume--> Volume --corpus--> classes of boxes --explain--> Plan --emit--> OpGraph
 //! ```
 
+mod alternation;
 mod blame;
 mod boxes;
 mod contexts;

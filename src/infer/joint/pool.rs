@@ -4,7 +4,7 @@
 
 use super::boxes::Boxes;
 use super::explain::{Explainer, Search};
-use super::merge::{Merge, Merges};
+use super::merge::{Merge, merges};
 use super::plan::{self, NodeId};
 use super::replace::replaced;
 use rustc_hash::FxHashSet;
@@ -44,10 +44,9 @@ pub fn pooled(
     mut holds: impl FnMut(&mut Explainer<'_>, NodeId) -> bool,
 ) -> NodeId {
     let mut whole = Whole::new(explainer, root, boxes);
-    let mut merges = Merges::default();
     let mut tried = FxHashSet::default();
     loop {
-        let found = merges.of(explainer, whole.root, boxes);
+        let found = merges(explainer, whole.root, boxes);
         let least = MARGIN + (found.len().max(1) as f64).log2();
         let better = found.into_iter().find_map(|merge| {
             if tried.len() >= TRIED || explainer.is_spent() || !tried.insert(merge.explained()) {

@@ -60,6 +60,14 @@ impl Recolouring {
         Some(Recolouring { groups: groups.collect(), parameters })
     }
 
+    /// Every box with parameters for blocks, by the number of its materials.
+    pub fn called(&self) -> Vec<(u64, Class, u32)> {
+        let groups = (0..).zip(&self.groups);
+        groups
+            .flat_map(|(number, group)| group.boxes().map(move |(class, count)| (number, class, count)))
+            .collect()
+    }
+
     /// All boxes with parameters for blocks.
     pub fn boxes(&self) -> Boxes {
         Boxes::of(self.groups.iter().flat_map(Recoloured::boxes))
