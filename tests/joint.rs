@@ -64,6 +64,18 @@ fn materials_are_parameters() {
     assert_eq!((rules("oak"), rules("spruce")), (0, 0), "{text}");
 }
 
+/// A plot has one rule, wherever it stands, and one house for all materials.
+#[test]
+fn lots_between_streets_are_one_rule() {
+    let truth = truth("town").graph();
+    let grids = examples(&truth, 10);
+    let learnt = learnt(&grids, Freedom::Seen);
+    assert_eq!(learnt.by, Method::Joint);
+    let found = agreement(&learnt.graph, &truth, &Library::new(), &grids, 1000, 40);
+    assert!(found.precision >= 0.95 && found.recall >= 0.9, "{found:?}");
+    assert!(2 * found.rules <= 3 * found.true_rules, "{found:?}");
+}
+
 /// From ten examples; how much of the rest is learnt is measured by `benches/induction.rs`.
 #[test]
 fn known_grammars_are_learnt_back() {

@@ -65,11 +65,34 @@ impl Profile {
     }
 }
 
+/// To read so many cells takes as long as to look for a part that is known.
+const CELLS: u64 = 16;
+
 /// Terminals from this number on are parameters.
 const PARAMETER: u32 = 1 << 31;
 
 pub fn is_parameter(terminal: u32) -> bool {
     terminal >= PARAMETER
+}
+
+/// What is found out of a class once it is asked for.
+#[derive(Clone, Default, Debug)]
+struct Found {
+    /// By axis: the skeletons of the slices that differ from the one before.
+    slices: [Option<Rc<[Skeleton]>>; 3],
+    /// By axis: the classes of all slices.
+    rows: [Option<Rc<[Class]>>; 3],
+    sequences: [Option<Sequence>; 3],
+    /// The terminals that there are, in order of their numbers.
+    terminals: Option<Rc<[u32]>>,
+    pattern: Option<Rc<Pattern>>,
+}
+
+/// The terminals of a class where slices differ, as numbers in the order in which they come, and that order.
+#[derive(PartialEq, Eq, Debug)]
+pub struct Pattern {
+    pub numbers: Rc<[u32]>,
+    pub order: Vec<u32>,
 }
 
 /// All examples with what was asked about their boxes.
@@ -81,17 +104,12 @@ pub struct Corpus {
     skeletons: FxHashMap<u64, Skeleton>,
     /// The classes of parts, by axis and by where they start and end.
     parts: FxHashMap<(Class, Axis, i32, i32), Class>,
-    /// By class and axis: the skeletons of the slices that differ from the one before.
-    slices: FxHashMap<(Class, Axis), Rc<[Skeleton]>>,
-    /// The classes of all slices.
-    rows: FxHashMap<(Class, Axis), Rc<[Class]>>,
-    /// The numbers of sequences of slices, and those of classes by axis.
+    /// By class: what was found out of it since.
+    found: Vec<Found>,
+    /// The numbers of sequences of slices.
     folded: FxHashMap<Vec<Token>, u32>,
-    sequences: FxHashMap<(Class, Axis), Sequence>,
     /// How many courses can be peeled off a class.
     peeled: FxHashMap<(Class, Peel), i32>,
-    /// By class: the terminals that there are, in order of their numbers.
-    terminals: FxHashMap<Class, Rc<[u32]>>,
     seams: Seams,
     fits: FxHashMap<(Class, Class, Axis), bool>,
     /// The number of air.
@@ -103,8 +121,10 @@ pub struct Corpus {
     recoloured: FxHashMap<(Class, BTreeMap<u32, u32>), Class>,
     /// By what it stands for, the terminal of each parameter.
     parameters: FxHashMap<Vec<u32>, u32>,
-    /// How often it was asked for the part of a box: a measure of the work done.
+    /// How often it was asked for the part of a box, and what it took to tell new ones: a measure of the work done.
     pub asked: u64,
+    /// Where the search is cut short.
+    pub most_asked: u64,
 }
 
 impl Corpus {
@@ -118,18 +138,21 @@ impl Corpus {
             recoloured: FxHashMap::default(),
             parameters: FxHashMap::default(),
             asked: 0,
+            most_asked: u64::MAX,
             volumes,
             classes: FxHashMap::default(),
             profiles: Vec::new(),
             skeletons: FxHashMap::default(),
             parts: FxHashMap::default(),
-            slices: FxHashMap::default(),
-            rows: FxHashMap::default(),
+            found: Vec::new(),
             folded: FxHashMap::default(),
-            sequences: FxHashMap::default(),
             peeled: FxHashMap::default(),
-            terminals: FxHashMap::default(),
         }
+    }
+
+    /// Whether so much was looked at that the search is cut short.
+    pub fn is_spent(&self) -> bool {
+        self.asked > self.most_asked
     }
 
     pub fn volume(&self, place: Place) -> &Volume {
@@ -158,12 +181,8 @@ impl Corpus {
         if let Some(&known) = self.classes.get(&key) {
             return known;
         }
-        let starts = Axis::ALL.map(|axis| self.starts(place, axis));
-        let skeleton = self.skeleton(place, &starts);
-        let class = Class(self.profiles.len() as u32);
-        self.profiles.push(Profile { place, starts, skeleton });
-        self.classes.insert(key, class);
-        class
+        let starts = Axis::ALL.map(|axis| self.starts(place, axis, 0..place.bounds.len(axis)));
+        self.enter(key, place, starts)
     }
 
     /// The class of the part of a class from `low` to `high` on an axis, from its low end.
@@ -172,9 +191,10 @@ impl Corpus {
         if let Some(&known) = self.parts.get(&(class, axis, low, high)) {
             return known;
         }
-        let place = self.profile(class).place;
+        let Profile { place, .. } = *self.profile(class);
         let start = axis.of(place.bounds.min);
-        let part = self.class(Place { bounds: place.bounds.slab(axis, start + low, start + high), ..place });
+        let place = Place { bounds: place.bounds.slab(axis, start + low, start + high), ..place };
+        let part = self.class_within(class, place);
         self.parts.insert((class, axis, low, high), part);
         part
     }
@@ -198,6 +218,39 @@ impl Corpus {
         let found = find(self);
         self.peeled.insert((class, peel), found);
         found
+    }
+
+    /// The class of a place in a box of a known class: slices that are equal in all of the box are so in a part.
+    fn class_within(&mut self, class: Class, place: Place) -> Class {
+        let key = self.volume(place).content(place.bounds);
+        if let Some(&known) = self.classes.get(&key) {
+            return known;
+        }
+        let whole = self.profile(class);
+        let starts = Axis::ALL.map(|axis| {
+            let low = axis.of(place.bounds.min) - axis.of(whole.place.bounds.min);
+            let inside = whole.starts(axis).iter().map(|at| at - low);
+            let inside = inside.filter(|at| (1..place.bounds.len(axis)).contains(at));
+            let from_start = std::iter::once(0).chain(inside);
+            let others = axis.others();
+            match others.into_iter().all(|other| place.bounds.len(other) == whole.len(other)) {
+                true => from_start.collect(),
+                false => self.starts(place, axis, from_start),
+            }
+        });
+        self.enter(key, place, starts)
+    }
+
+    /// Numbers a content that is new.
+    fn enter(&mut self, key: Content, place: Place, starts: [SmallVec<[i32; 8]>; 3]) -> Class {
+        let skeleton = self.skeleton(place, &starts);
+        self.asked += starts.iter().map(|starts| starts.len() as u64).product::<u64>() / CELLS;
+        self.asked += starts.iter().map(|starts| starts.len() as u64).sum::<u64>();
+        let class = Class(self.profiles.len() as u32);
+        self.profiles.push(Profile { place, starts, skeleton });
+        self.found.push(Found::default());
+        self.classes.insert(key, class);
+        class
     }
 
     /// Whether a plane goes through a whole of two blocks.
@@ -273,30 +326,36 @@ impl Corpus {
         *self.parameters.entry(stands_for.to_vec()).or_insert(next)
     }
 
-    /// The terminals of a class where slices differ, as numbers in the order in which they come, and that order.
-    pub fn pattern(&self, class: Class) -> (Vec<u32>, Vec<u32>) {
+    pub fn pattern(&mut self, class: Class) -> Rc<Pattern> {
+        if let Some(known) = &self.found(class).pattern {
+            return known.clone();
+        }
         let Profile { place, starts, .. } = self.profile(class);
-        let volume = self.volume(*place);
         let mut order: Vec<u32> = Vec::new();
-        let mut pattern: Vec<u32> = starts.iter().map(|starts| starts.len() as u32).collect();
-        for &y in &starts[1] {
-            for &z in &starts[2] {
-                for &x in &starts[0] {
-                    let terminal = volume.get(place.bounds.min + Cell::new(x, y, z));
-                    let number = order.iter().position(|known| *known == terminal);
-                    pattern.push(number.unwrap_or(order.len()) as u32);
-                    if number.is_none() {
-                        order.push(terminal);
-                    }
-                }
+        let mut numbers: Vec<u32> = starts.iter().map(|starts| starts.len() as u32).collect();
+        for terminal in cells(self.volume(*place), place.bounds.min, starts) {
+            let number = order.iter().position(|known| *known == terminal);
+            numbers.push(number.unwrap_or(order.len()) as u32);
+            if number.is_none() {
+                order.push(terminal);
             }
         }
-        (pattern, order)
+        let pattern = Rc::new(Pattern { numbers: numbers.into(), order });
+        self.found_mut(class).pattern = Some(pattern.clone());
+        pattern
+    }
+
+    fn found(&self, class: Class) -> &Found {
+        &self.found[class.0 as usize]
+    }
+
+    fn found_mut(&mut self, class: Class) -> &mut Found {
+        &mut self.found[class.0 as usize]
     }
 
     /// The skeletons of the slices across an axis, those left out that equal the one before.
     pub fn slices(&mut self, class: Class, axis: Axis) -> Rc<[Skeleton]> {
-        if let Some(known) = self.slices.get(&(class, axis)) {
+        if let Some(known) = &self.found(class).slices[axis.index()] {
             return known.clone();
         }
         let starts = self.profile(class).starts[axis.index()].clone();
@@ -305,26 +364,26 @@ impl Corpus {
             corpus.profile(class).skeleton
         };
         let slices: Rc<[Skeleton]> = starts.iter().map(|at| slice(self, at)).collect();
-        self.slices.insert((class, axis), slices.clone());
+        self.found_mut(class).slices[axis.index()] = Some(slices.clone());
         slices
     }
 
     /// The slices that differ from the one before, as one number.
     pub fn sequence(&mut self, class: Class, axis: Axis) -> Sequence {
-        if let Some(known) = self.sequences.get(&(class, axis)) {
-            return *known;
+        if let Some(known) = self.found(class).sequences[axis.index()] {
+            return known;
         }
         let folded = folded(&self.slices(class, axis));
         let pieces = folded.len() as u32;
         let next = self.folded.len() as u32;
         let sequence = Sequence { number: *self.folded.entry(folded).or_insert(next), pieces };
-        self.sequences.insert((class, axis), sequence);
+        self.found_mut(class).sequences[axis.index()] = Some(sequence);
         sequence
     }
 
     /// The classes of all slices across an axis.
     pub fn row(&mut self, class: Class, axis: Axis) -> Rc<[Class]> {
-        if let Some(known) = self.rows.get(&(class, axis)) {
+        if let Some(known) = &self.found(class).rows[axis.index()] {
             return known.clone();
         }
         let len = self.profile(class).len(axis);
@@ -336,40 +395,34 @@ impl Corpus {
             row.extend((*at..end).map(|_| slice));
         }
         let row: Rc<[Class]> = row.into();
-        self.rows.insert((class, axis), row.clone());
+        self.found_mut(class).rows[axis.index()] = Some(row.clone());
         row
     }
 
     /// The terminals in a class, in order of their numbers.
     pub fn terminals(&mut self, class: Class) -> Rc<[u32]> {
-        if let Some(known) = self.terminals.get(&class) {
+        if let Some(known) = &self.found(class).terminals {
             return known.clone();
         }
         let Profile { place, starts, .. } = self.profile(class);
-        let volume = self.volume(*place);
-        let mut all = Vec::new();
-        for &y in &starts[1] {
-            for &z in &starts[2] {
-                all.extend(starts[0].iter().map(|&x| volume.get(place.bounds.min + Cell::new(x, y, z))));
-            }
-        }
+        let mut all: Vec<u32> = cells(self.volume(*place), place.bounds.min, starts).collect();
         all.sort_unstable();
         all.dedup();
         let all: Rc<[u32]> = all.into();
-        self.terminals.insert(class, all.clone());
+        self.found_mut(class).terminals = Some(all.clone());
         all
     }
 
-    fn starts(&self, place: Place, axis: Axis) -> SmallVec<[i32; 8]> {
+    /// Where slices differ from the one before, of some that may.
+    fn starts(&self, place: Place, axis: Axis, all: impl Iterator<Item = i32>) -> SmallVec<[i32; 8]> {
         let (volume, bounds) = (self.volume(place), place.bounds);
         let low = axis.of(bounds.min);
         let mut before = None;
-        (0..bounds.len(axis))
-            .filter(|at| {
-                let own = Some(volume.content(bounds.slab(axis, low + at, low + at + 1)));
-                std::mem::replace(&mut before, own) != own
-            })
-            .collect()
+        let differs = |at: &i32| {
+            let own = Some(volume.content(bounds.slab(axis, low + at, low + at + 1)));
+            std::mem::replace(&mut before, own) != own
+        };
+        all.filter(differs).collect()
     }
 
     fn skeleton(&mut self, place: Place, starts: &[SmallVec<[i32; 8]>; 3]) -> Skeleton {
@@ -378,15 +431,52 @@ impl Corpus {
         let mut hasher = FxHasher::default();
         starts.iter().for_each(|starts| hasher.write_usize(starts.len()));
         let mut sum = hasher.finish();
-        for &y in &starts[1] {
-            for &z in &starts[2] {
-                for &x in &starts[0] {
-                    let terminal = u64::from(volume.get(min + Cell::new(x, y, z)));
-                    sum = (sum.rotate_left(5) ^ terminal.wrapping_add(1)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-                }
-            }
+        for terminal in cells(volume, min, starts) {
+            let terminal = u64::from(terminal);
+            sum = (sum.rotate_left(5) ^ terminal.wrapping_add(1)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         }
         let next = Skeleton(self.skeletons.len() as u32);
         *self.skeletons.entry(sum).or_insert(next)
+    }
+}
+
+/// The terminals where slices differ on all axes, from the low end of a box.
+fn cells(volume: &Volume, min: Cell, starts: &[SmallVec<[i32; 8]>; 3]) -> impl Iterator<Item = u32> {
+    let [xs, ys, zs] = starts;
+    let rows = ys.iter().flat_map(move |y| zs.iter().map(move |z| (*y, *z)));
+    rows.flat_map(move |(y, z)| xs.iter().map(move |x| volume.get(min + Cell::new(*x, y, z))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray::Array3;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// What is told of a part by way of the whole is what is told of the place itself.
+        #[test]
+        fn parts_are_what_stands_there(
+            cells in prop::collection::vec(0u32..2, 60),
+            cuts in prop::collection::vec((0usize..3, 0i32..5, 1i32..5), 1..4),
+        ) {
+            let volume = Volume::new(Array3::from_shape_vec((3, 4, 5), cells).unwrap_or_default(), &[]);
+            let mut corpus = Corpus::new(vec![volume.clone()], 0);
+            let mut place = corpus.examples()[0];
+            let mut class = corpus.class(place);
+            for (axis, low, len) in cuts {
+                let axis = Axis::ALL[axis];
+                let low = low.min(place.bounds.len(axis) - 1);
+                let high = (low + len).min(place.bounds.len(axis));
+                let start = axis.of(place.bounds.min);
+                place.bounds = place.bounds.slab(axis, start + low, start + high);
+                class = corpus.part(class, axis, low, high);
+            }
+            let mut afresh = Corpus::new(vec![volume], 0);
+            let own = afresh.class(place);
+            prop_assert_eq!(&corpus.profile(class).starts, &afresh.profile(own).starts);
+            prop_assert_eq!(corpus.terminals(class), afresh.terminals(own));
+            prop_assert_eq!(corpus.profile(class).place.bounds.size(), place.bounds.size());
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Whether parts of boxes go together: what varied together in the examples must not be drawn apart.
 
 use super::boxes::Boxes;
-use super::corpus::{Class, Corpus};
+use super::corpus::{Class, Corpus, Profile};
 use super::groups::materials;
 use super::repeats::Period;
 use super::slopes::Slope;
@@ -18,7 +18,7 @@ const TORN: f64 = 1e9;
 const FEW: u32 = 3;
 
 /// What parts of one box look like, one label a part, with how often.
-type Row = (Vec<Class>, u32);
+pub type Row = (Vec<Class>, u32);
 
 /// More parts than this are not tried side by side.
 const MOST: usize = 12;
@@ -58,6 +58,17 @@ pub fn placed(corpus: &mut Corpus, rows: &[Row], axis: Axis) -> f64 {
         by_threshold(&lens, &labels, &counts)
     };
     of_side(corpus, 0) + of_side(corpus, 1)
+}
+
+/// The bits of drawing the lengths of some parts of splits, if that goes together with what these parts are made of.
+pub fn of_lengths(corpus: &mut Corpus, rows: &[Row], axis: Axis, drawn: &[usize]) -> f64 {
+    let counts: Vec<u32> = rows.iter().map(|(_, count)| *count).collect();
+    let of_part = |part: &usize| {
+        let lens: Vec<i32> = rows.iter().map(|(parts, _)| corpus.profile(parts[*part]).len(axis)).collect();
+        let labels: Vec<u64> = rows.iter().map(|(parts, _)| materials(corpus, parts[*part])).collect();
+        by_threshold(&lens, &labels, &counts)
+    };
+    drawn.iter().map(of_part).sum()
 }
 
 /// The bits for numbers and labels, the numbers told apart by the threshold that tells most of the labels.
@@ -220,6 +231,60 @@ fn ends_told(units: &[(Class, bool, u32)], mut label: impl FnMut(Class) -> u64) 
     if is_told { PENALTY + ends.entropy() } else { 0.0 }
 }
 
+/// The bits that it costs to draw units and the separators between them apart: each from the next one, from the next of
+/// its kind, and units from whether they are the first or the last one.
+pub fn of_alternation(corpus: &mut Corpus, rows: &[Row], axis: Axis) -> f64 {
+    let next = |first: usize, step: usize| -> Vec<Row> {
+        let of_row = |(parts, count): &Row| {
+            let ones = parts.iter().skip(first).step_by(2);
+            let pairs = ones.zip(parts.iter().skip(first + step).step_by(2));
+            pairs.map(|(one, other)| (vec![*one, *other], *count)).collect::<Vec<Row>>()
+        };
+        rows.iter().flat_map(of_row).collect()
+    };
+    let beside = [next(0, 1), next(1, 1)].map(|pairs| dependence(corpus, &pairs, axis));
+    let alike =
+        [next(0, 2), next(1, 2)].map(|pairs| if pairs.len() < 2 { 0.0 } else { told(corpus, &pairs) });
+    let units = rows.iter().map(|(parts, count)| (parts.iter().copied().step_by(2).collect(), *count));
+    let units: Vec<Row> = units.collect();
+    let ends = [false, true].map(|is_last| at_end(corpus, &units, is_last));
+    beside.iter().chain(&alike).chain(&ends).sum()
+}
+
+/// The bits that materials tell of the sizes of what is made of them: of where the planes stand that show a change, if
+/// all boxes show as many on an axis; else of how many there are, if all are equally long. How long boxes are was decided
+/// before. One rule for all of them would make what no example shows.
+pub fn of_calls(corpus: &Corpus, called: &[(u64, Class, u32)]) -> f64 {
+    let labels: Vec<u64> = called.iter().map(|(label, ..)| *label).collect();
+    let counts: Vec<u32> = called.iter().map(|(.., count)| *count).collect();
+    let profiles: Vec<&Profile> = called.iter().map(|(_, class, _)| corpus.profile(*class)).collect();
+    let told = |number: &dyn Fn(&Profile) -> i32| {
+        let numbers: Vec<i32> = profiles.iter().map(|profile| number(profile)).collect();
+        by_threshold(&numbers, &labels, &counts)
+    };
+    let across = |axis: Axis| {
+        let is_one = |number: &dyn Fn(&Profile) -> i32| {
+            profiles.windows(2).all(|pair| number(pair[0]) == number(pair[1]))
+        };
+        let planes = |profile: &Profile| profile.starts(axis).len() as i32;
+        let len = |profile: &Profile| profile.len(axis);
+        match (is_one(&planes), is_one(&len)) {
+            (true, _) => {
+                let all = profiles.first().map_or(1, |profile| profile.starts(axis).len());
+                let standing = (1..all).map(|plane| {
+                    let from_start = told(&|profile| profile.starts(axis)[plane]);
+                    from_start.min(told(&|profile| profile.len(axis) - profile.starts(axis)[plane]))
+                });
+                standing.fold(0.0, f64::max)
+            }
+            (false, true) => told(&planes),
+            (false, false) => 0.0,
+        }
+    };
+    let told = Axis::ALL.into_iter().map(across).fold(0.0, f64::max);
+    if told > 0.0 { TORN } else { 0.0 }
+}
+
 /// The units of repeats, one row a box.
 pub fn units(corpus: &mut Corpus, boxes: &Boxes, period: Period) -> Vec<Row> {
     let row = |(class, count): (Class, u32)| {
@@ -232,7 +297,64 @@ pub fn units(corpus: &mut Corpus, boxes: &Boxes, period: Period) -> Vec<Row> {
 
 #[cfg(test)]
 mod tests {
-    use super::tells;
+    use super::super::corpus::Place;
+    use super::super::volume::Volume;
+    use super::*;
+    use crate::space::Bounds;
+    use ndarray::Array3;
+    use proptest::prelude::*;
+
+    /// The classes of columns of stone of these heights under air, each nine cells high.
+    fn columns(heights: &[i32]) -> (Corpus, Vec<Class>) {
+        let column = |height: &i32| {
+            let cells = (0..9).map(|y| if y < *height { 1 } else { 0 }).collect();
+            Volume::new(Array3::from_shape_vec((9, 1, 1), cells).unwrap_or_default(), &[])
+        };
+        let mut corpus = Corpus::new(heights.iter().map(column).collect(), 0);
+        let places: Vec<Place> = corpus.examples();
+        let classes = places.into_iter().map(|place| corpus.class(place)).collect();
+        (corpus, classes)
+    }
+
+    proptest! {
+        /// Heights that are drawn for every material alike tell nothing of it; ranges that do not meet do.
+        #[test]
+        fn sizes_that_go_by_the_material_are_not_drawn_apart(low in 1i32..3, more in 1i32..3, times in 6u32..20) {
+            let heights: Vec<i32> = (low..=low + more).chain(low + more + 1..=low + 2 * more + 1).collect();
+            let (corpus, classes) = columns(&heights);
+            let half = heights.len() / 2;
+            let own = classes.iter().enumerate().map(|(at, class)| (u64::from(at < half), *class, times));
+            prop_assert!(of_calls(&corpus, &own.collect::<Vec<_>>()) > PENALTY);
+            let both = classes.iter().flat_map(|class| [0, 1].map(|label| (label, *class, times)));
+            prop_assert_eq!(of_calls(&corpus, &both.collect::<Vec<_>>()), 0.0);
+        }
+    }
+
+    #[test]
+    fn lengths_that_go_by_what_a_part_is_made_of_are_not_drawn() {
+        // Low hedges and high walls, each with air above.
+        let column = |block: u32, height: i32| {
+            let cells = (0..9).map(|y| if y < height { block } else { 0 }).collect();
+            Volume::new(Array3::from_shape_vec((9, 1, 1), cells).unwrap_or_default(), &[])
+        };
+        let cost = |kinds: &[(u32, i32)]| {
+            let volumes = kinds.iter().map(|(block, height)| column(*block, *height)).collect();
+            let mut corpus = Corpus::new(volumes, 0);
+            let parts = corpus.examples().into_iter().zip(kinds).map(|(place, (_, height))| {
+                let Bounds { min, .. } = place.bounds;
+                let part = |low, high| Place { bounds: place.bounds.slab(Axis::Y, low, high), ..place };
+                [part(min.y, min.y + height), part(min.y + height, 9)]
+            });
+            let parts: Vec<[Place; 2]> = parts.collect();
+            let rows: Vec<Row> = parts
+                .iter()
+                .map(|parts| (parts.iter().map(|part| corpus.class(*part)).collect(), 9))
+                .collect();
+            of_lengths(&mut corpus, &rows, Axis::Y, &[0])
+        };
+        assert!(cost(&[(1, 1), (1, 2), (2, 5), (2, 6)]) > PENALTY);
+        assert_eq!(cost(&[(1, 1), (1, 5), (2, 1), (2, 5)]), 0.0);
+    }
 
     #[test]
     fn labels_tell_of_one_another_where_so_many_boxes_agree() {

@@ -1,5 +1,6 @@
 //! How long a description of boxes will be, before it is searched for.
 
+use super::alternation::{Alternation, units_and_separators};
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Sequence, Skeleton};
 use super::repeats::Period;
@@ -20,6 +21,8 @@ const FREE: f64 = 4.0;
 pub const REPEAT: f64 = 7.0;
 /// Bits of a slope: a choice of two and two splits.
 pub const SLOPE: f64 = 24.0;
+/// Bits of units with separators between them: a repeat, and two planes at fixed distances.
+pub const ALTERNATION: f64 = 21.0;
 
 /// What was estimated, by what was asked.
 #[derive(Default, Debug)]
@@ -31,10 +34,13 @@ pub struct Estimates {
 impl Estimates {
     /// The bits of a description of `boxes`: on the best axis, those of every slice that differs, once for all
     /// boxes; those of the sequences of slices; of the choice between sequences; and of the planes that are free
-    /// to move. Or those of the units that they repeat.
+    /// to move. Or those of the units that they repeat. Beyond all measure once the search is cut short.
     pub fn bits(&mut self, corpus: &mut Corpus, boxes: &Boxes) -> f64 {
         if let Some(&known) = self.boxes.get(boxes) {
             return known;
+        }
+        if corpus.is_spent() {
+            return f64::INFINITY;
         }
         let plain = self.plain(corpus, boxes);
         let repeats = Period::of(corpus, boxes);
@@ -50,6 +56,12 @@ impl Estimates {
         });
         let bits = sloped.fold(bits, f64::min);
         let bits = Row::of(corpus, boxes).map_or(bits, |row| bits.min(of_row(&row)));
+        let alternating = Alternation::of(corpus, boxes).into_iter().map(|alternation| {
+            let rows = alternation.rows(corpus, boxes);
+            ALTERNATION
+                + units_and_separators(&rows).map(|part| self.plain(corpus, &part)).iter().sum::<f64>()
+        });
+        let bits = alternating.fold(bits, f64::min);
         self.boxes.insert(boxes.clone(), bits);
         bits
     }
@@ -60,6 +72,9 @@ impl Estimates {
         let mut known = FxHashSet::default();
         let mut bits = 0.0;
         for group in groups {
+            if corpus.is_spent() {
+                return f64::INFINITY;
+            }
             let across = Axis::ALL.map(|axis| (axis, self.across(corpus, group, axis, &mut known.clone())));
             let best = across.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b));
             let repeated = self.bits(corpus, group);
@@ -75,6 +90,9 @@ impl Estimates {
     fn plain(&mut self, corpus: &mut Corpus, boxes: &Boxes) -> f64 {
         if boxes.fill(corpus).is_some() {
             return ROW + RUN;
+        }
+        if corpus.is_spent() {
+            return f64::INFINITY;
         }
         let axes = Axis::ALL.map(|axis| self.across(corpus, boxes, axis, &mut FxHashSet::default()));
         axes.into_iter().fold(f64::INFINITY, f64::min) + free(corpus, boxes)
@@ -110,7 +128,7 @@ impl Estimates {
     ) -> f64 {
         let mut bits = 0.0;
         for (number, slice) in corpus.slices(class, axis).iter().enumerate() {
-            if known.insert(*slice) {
+            if !corpus.is_spent() && known.insert(*slice) {
                 let at = corpus.profile(class).starts(axis)[number];
                 let class = corpus.part(class, axis, at, at + 1);
                 bits += self.skeleton(corpus, class);

@@ -30,6 +30,11 @@ impl Law {
         Law::Table(counts.into_iter().collect())
     }
 
+    /// Whether it leaves lengths to chance.
+    pub fn is_drawn(&self) -> bool {
+        matches!(self, Law::Range { .. } | Law::Table(_))
+    }
+
     /// The lengths that it gives by itself.
     pub fn lengths(&self) -> Box<dyn Iterator<Item = i32> + '_> {
         match self {

@@ -6,8 +6,8 @@ use super::corpus::{Corpus, Skeleton};
 use super::explain::{Explainer, Search};
 use super::plan::{self, NodeId};
 use super::recolour::Recolouring;
-use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// One description for the boxes of some rules.
 pub struct Merge {
@@ -66,45 +66,30 @@ impl Merge {
     }
 }
 
-/// The merges of plans, with what was found out about boxes before.
-#[derive(Default)]
-pub struct Merges {
-    recolourings: FxHashMap<Boxes, Option<Recolouring>>,
-}
-
-impl Merges {
-    /// All merges that promise anything, the best first.
-    pub fn of(&mut self, explainer: &mut Explainer<'_>, root: NodeId, boxes: &Boxes) -> Vec<Merge> {
-        let rules = rules(explainer, root, boxes);
-        let mut merges: Vec<Merge> = Vec::new();
-        for (number, one) in rules.iter().enumerate() {
-            merges.extend(self.by_materials(explainer, &[one]));
-            for other in rules[number + 1..].iter().filter(|other| other.boxes != one.boxes) {
-                if one.id != root && one.is_like(other) {
-                    merges.push(together(explainer, &[one, other]));
-                } else if one.id != root && one.is_patterned_like(other) {
-                    merges.extend(self.by_materials(explainer, &[one, other]));
-                }
+/// All merges that promise anything, the best first.
+pub fn merges(explainer: &mut Explainer<'_>, root: NodeId, boxes: &Boxes) -> Vec<Merge> {
+    let rules = rules(explainer, root, boxes);
+    let mut merges: Vec<Merge> = Vec::new();
+    for (number, one) in rules.iter().enumerate() {
+        merges.extend(by_materials(explainer, &[one]));
+        for other in rules[number + 1..].iter().filter(|other| other.boxes != one.boxes) {
+            if one.id != root && one.is_like(other) {
+                merges.push(together(explainer, &[one, other]));
+            } else if one.id != root && one.is_patterned_like(other) {
+                merges.extend(by_materials(explainer, &[one, other]));
             }
         }
-        merges.retain(|merge| merge.promise > 0.0);
-        merges.sort_by(|one, other| other.promise.total_cmp(&one.promise));
-        merges
     }
+    merges.retain(|merge| merge.promise > 0.0);
+    merges.sort_by(|one, other| other.promise.total_cmp(&one.promise));
+    merges
+}
 
-    fn by_materials(&mut self, explainer: &mut Explainer<'_>, rules: &[&Rule]) -> Option<Merge> {
-        let all = union(rules);
-        let recolouring = match self.recolourings.get(&all) {
-            Some(known) => known.clone(),
-            None => {
-                let found = Recolouring::of(explainer.corpus, &all);
-                self.recolourings.insert(all, found.clone());
-                found
-            }
-        }?;
-        let promise = apart(explainer, rules) - explainer.estimate_calls(&recolouring);
-        Some(Merge { rules: places(rules), by: By::Materials(recolouring), promise })
-    }
+fn by_materials(explainer: &mut Explainer<'_>, rules: &[&Rule]) -> Option<Merge> {
+    let all = union(rules);
+    let recolouring = explainer.recolouring(&all)?;
+    let promise = apart(explainer, rules) - explainer.estimate_calls(&recolouring);
+    Some(Merge { rules: places(rules), by: By::Materials(recolouring), promise })
 }
 
 fn together(explainer: &mut Explainer<'_>, rules: &[&Rule]) -> Merge {
@@ -133,7 +118,7 @@ struct Rule {
     terminals: BTreeSet<u32>,
     skeletons: BTreeSet<Skeleton>,
     /// Skeletons in any materials.
-    patterns: BTreeSet<Vec<u32>>,
+    patterns: BTreeSet<Rc<[u32]>>,
 }
 
 impl Rule {
@@ -154,7 +139,7 @@ fn rules(explainer: &mut Explainer<'_>, root: NodeId, boxes: &Boxes) -> Vec<Rule
         id,
         terminals: boxes.classes().flat_map(|class| corpus.terminals(class).to_vec()).collect(),
         skeletons: boxes.classes().map(|class| corpus.profile(class).skeleton).collect(),
-        patterns: boxes.classes().map(|class| corpus.pattern(class).0).collect(),
+        patterns: boxes.classes().map(|class| corpus.pattern(class).numbers.clone()).collect(),
         boxes,
     };
     let all = all.into_iter().filter_map(|own| own.1.fill(corpus).is_none().then(|| rule(corpus, own)));

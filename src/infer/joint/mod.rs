@@ -5,6 +5,7 @@
 //! Example --volume--> Volume --corpus--> classes of boxes --explain--> Plan --emit--> OpGraph
 //! ```
 
+mod alternation;
 mod blame;
 mod boxes;
 mod contexts;
@@ -55,9 +56,9 @@ use volume::Volume;
 const AHEAD: u8 = 1;
 /// So often what is to blame is repaired.
 const ROUNDS: usize = 100;
-/// Examples of more cells than this in all are not searched, nor any that is longer on an axis: cuts are nested as
-/// deep as there are slices.
-const MOST_CELLS: u64 = 250_000;
+/// Examples of more cells than this in all are not searched, as dozens of samples would have to be made and looked at;
+/// nor any that is longer on an axis: cuts are nested as deep as there are slices.
+const MOST_CELLS: u64 = 1 << 20;
 const LONGEST: i32 = 128;
 
 /// Learns one op graph from several examples of blocks, none of them empty. `open` are the examples without what
@@ -77,15 +78,16 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     let mut corpus = corpus(examples, open, &mut terminals);
     // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
     corpus.draws_rows = freedom == Freedom::Free;
-    let shown = Shown::by(examples);
     let places = corpus.examples();
     let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
     let mut explainer = Explainer::new(&mut corpus);
     let mut limits = Limits::default();
     explainer.explain(&boxes, Search(0));
-    if !explainer.may_look_ahead() {
+    if explainer.is_spent() {
         return None;
     }
+    explainer.look_ahead();
+    let shown = Shown::by(examples);
     for _ in 0..ROUNDS {
         let root = explainer.explain_examples(&boxes, Search(AHEAD));
         if explainer.is_spent() || explainer.tells_most_apart(root, &boxes) {

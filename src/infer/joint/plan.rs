@@ -11,6 +11,7 @@ use super::slopes::Slope;
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 use smallvec::SmallVec;
+use std::collections::BTreeMap;
 
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct NodeId(pub u32);
@@ -152,7 +153,7 @@ pub fn bits(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes) -> f6
         bits += model(&node.form, is_new) + reference * children as f64;
         bits += chance(node, corpus, boxes) + apart(plan, corpus, *id, boxes);
     }
-    bits
+    bits + called(plan, &all).values().map(|calls| dependence::of_calls(corpus, calls)).sum::<f64>()
 }
 
 /// Nodes by their form without its sizes.
@@ -202,9 +203,12 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
         boxes.iter().map(|(class, count)| (parts(corpus, class), count)).collect()
     };
     match &plan.node(id).form {
-        Form::Split { axis, .. } => {
+        Form::Split { axis, parts } => {
             let rows = rows();
+            let drawn = parts.iter().enumerate().filter(|(_, (law, _))| law.is_drawn());
+            let drawn: Vec<usize> = drawn.map(|(part, _)| part).collect();
             dependence::dependence(corpus, &rows, *axis)
+                + dependence::of_lengths(corpus, &rows, *axis, &drawn)
         }
         Form::Repeat { axis, .. } => {
             let rows = rows();
@@ -217,6 +221,21 @@ fn apart(plan: &Plan, corpus: &mut Corpus, id: NodeId, boxes: &Boxes) -> f64 {
         Form::Slope { slope, .. } => dependence::of_courses(corpus, boxes, slope),
         Form::Fill(_) | Form::Choose(_) | Form::Call { .. } => 0.0,
     }
+}
+
+/// What each rule is called with: by its node, the number of the materials with the classes that are made of them.
+fn called(plan: &Plan, all: &[(NodeId, Boxes)]) -> BTreeMap<NodeId, Vec<(u64, Class, u32)>> {
+    let mut calls: BTreeMap<NodeId, Vec<(u64, Class, u32)>> = BTreeMap::new();
+    for (id, boxes) in all {
+        let node = plan.node(*id);
+        let Form::Call { child, .. } = &node.form else { continue };
+        let handed = boxes.iter().filter_map(|(class, count)| match node.how.get(&class) {
+            Some(How::Call(other)) => Some((u64::from(id.0), *other, count)),
+            _ => None,
+        });
+        calls.entry(*child).or_default().extend(handed);
+    }
+    calls
 }
 
 /// The bits of what a node leaves to chance.

@@ -4,7 +4,7 @@
 
 use super::boxes::Boxes;
 use super::explain::{Explainer, Search};
-use super::merge::{Merge, Merges};
+use super::merge::{Merge, merges};
 use super::plan::{self, NodeId};
 use super::replace::replaced;
 use rustc_hash::FxHashSet;
@@ -27,11 +27,11 @@ impl<'b> Whole<'b> {
         Whole { root, boxes, bits: plan::bits(&explainer.plan, explainer.corpus, root, boxes) }
     }
 
-    /// The plan with one rule for what a merge joins.
-    fn merged(&self, explainer: &mut Explainer<'_>, merge: &Merge, search: Search) -> Whole<'b> {
+    /// The plan with one rule for what a merge joins; none if the search was cut short.
+    fn merged(&self, explainer: &mut Explainer<'_>, merge: &Merge, search: Search) -> Option<Whole<'b>> {
         let by = merge.nodes(explainer, search);
         let root = replaced(&mut explainer.plan, self.root, &by);
-        Whole::new(explainer, root, self.boxes)
+        (!explainer.is_spent()).then(|| Whole::new(explainer, root, self.boxes))
     }
 }
 
@@ -44,16 +44,15 @@ pub fn pooled(
     mut holds: impl FnMut(&mut Explainer<'_>, NodeId) -> bool,
 ) -> NodeId {
     let mut whole = Whole::new(explainer, root, boxes);
-    let mut merges = Merges::default();
     let mut tried = FxHashSet::default();
     loop {
-        let found = merges.of(explainer, whole.root, boxes);
+        let found = merges(explainer, whole.root, boxes);
         let least = MARGIN + (found.len().max(1) as f64).log2();
         let better = found.into_iter().find_map(|merge| {
             if tried.len() >= TRIED || explainer.is_spent() || !tried.insert(merge.explained()) {
                 return None;
             }
-            let other = whole.merged(explainer, &merge, search);
+            let other = whole.merged(explainer, &merge, search)?;
             let is_better = whole.bits - other.bits > least && !merge.depends_on_place(explainer, search);
             (is_better && holds(explainer, other.root)).then_some(other)
         });

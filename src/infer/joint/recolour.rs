@@ -1,9 +1,10 @@
 //! Boxes that are the same in other materials: one description, whose blocks are parameters.
 
 use super::boxes::Boxes;
-use super::corpus::{Class, Corpus};
+use super::corpus::{Class, Corpus, Pattern};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// So many groups of boxes are told apart by their materials, of so many blocks of their own at the most.
 const MOST_GROUPS: usize = 8;
@@ -58,6 +59,14 @@ impl Recolouring {
             Recoloured { classes: group.classes.iter().map(recoloured).collect(), arguments }
         });
         Some(Recolouring { groups: groups.collect(), parameters })
+    }
+
+    /// Every box with parameters for blocks, by the number of its materials.
+    pub fn called(&self) -> Vec<(u64, Class, u32)> {
+        let groups = (0..).zip(&self.groups);
+        groups
+            .flat_map(|(number, group)| group.boxes().map(move |(class, count)| (number, class, count)))
+            .collect()
     }
 
     /// All boxes with parameters for blocks.
@@ -143,7 +152,7 @@ fn groups(corpus: &mut Corpus, boxes: &Boxes) -> Option<Vec<Group>> {
 }
 
 /// What the blocks of each group are in the first one; those that all of them have are themselves.
-fn maps(corpus: &Corpus, groups: &[Group]) -> Option<Vec<BTreeMap<u32, u32>>> {
+fn maps(corpus: &mut Corpus, groups: &[Group]) -> Option<Vec<BTreeMap<u32, u32>>> {
     let common = groups.iter().skip(1).fold(groups[0].terminals.clone(), |common, group| {
         common.intersection(&group.terminals).copied().collect()
     });
@@ -151,33 +160,34 @@ fn maps(corpus: &Corpus, groups: &[Group]) -> Option<Vec<BTreeMap<u32, u32>>> {
     if own.iter().any(|own| own.is_empty() || own.len() > MOST_OWN || own.contains(&corpus.air)) {
         return None;
     }
-    let patterns = |group: &Group| -> Vec<(Vec<u32>, Vec<u32>)> {
+    let patterns = groups.iter().map(|group| -> Vec<Rc<Pattern>> {
         group.classes.iter().map(|(class, _)| corpus.pattern(*class)).collect()
-    };
-    let first = patterns(&groups[0]);
-    let map = |group: &Group, own: &BTreeSet<u32>| {
-        let alike = patterns(group).into_iter().flat_map(|(pattern, order)| {
-            let same = first.iter().filter(move |(other, _)| *other == pattern);
-            same.map(move |(_, others)| order.iter().copied().zip(others.iter().copied()).collect())
+    });
+    let patterns: Vec<Vec<Rc<Pattern>>> = patterns.collect();
+    let first = &patterns[0];
+    let map = |patterns: &Vec<Rc<Pattern>>, own: &BTreeSet<u32>| {
+        let alike = patterns.iter().flat_map(|pattern| {
+            let same = first.iter().filter(|other| other.numbers == pattern.numbers);
+            same.map(|other| pattern.order.iter().copied().zip(other.order.iter().copied()).collect())
         });
         let keeps =
             |map: &BTreeMap<u32, u32>| map.iter().all(|(from, to)| from == to || !common.contains(from));
         let best = alike.filter(keeps).max_by_key(BTreeMap::len);
-        best.or_else(|| in_order(&patterns(group), own, &first, &groups[0].own(&common)))
+        best.or_else(|| in_order(patterns, own, first, &groups[0].own(&common)))
     };
-    groups.iter().zip(&own).skip(1).map(|(group, own)| map(group, own)).collect()
+    patterns.iter().zip(&own).skip(1).map(|(patterns, own)| map(patterns, own)).collect()
 }
 
 /// The blocks of two groups as they come, if they are as many.
 fn in_order(
-    one: &[(Vec<u32>, Vec<u32>)],
+    one: &[Rc<Pattern>],
     own: &BTreeSet<u32>,
-    other: &[(Vec<u32>, Vec<u32>)],
+    other: &[Rc<Pattern>],
     others: &BTreeSet<u32>,
 ) -> Option<BTreeMap<u32, u32>> {
-    let order = |patterns: &[(Vec<u32>, Vec<u32>)], own: &BTreeSet<u32>| -> Option<Vec<u32>> {
-        let all = patterns.iter().map(|(_, order)| -> Vec<u32> {
-            order.iter().copied().filter(|terminal| own.contains(terminal)).collect()
+    let order = |patterns: &[Rc<Pattern>], own: &BTreeSet<u32>| -> Option<Vec<u32>> {
+        let all = patterns.iter().map(|pattern| -> Vec<u32> {
+            pattern.order.iter().copied().filter(|terminal| own.contains(terminal)).collect()
         });
         all.into_iter().find(|order| order.len() == own.len())
     };

@@ -20,8 +20,13 @@ impl Seams {
     pub fn add(&mut self, volume: &Volume) {
         for shape in shapes() {
             let starts = Bounds::of_size(volume.size() - shape + Cell::ONE);
-            let windows = starts.cells().map(|at| window(shape, |step| volume.get(at + step)));
-            self.0.extend(windows);
+            let mut last = None;
+            for at in starts.cells() {
+                let own = window(shape, |step| volume.get(at + step));
+                if last.replace(own) != Some(own) {
+                    self.0.insert(own);
+                }
+            }
         }
     }
 

@@ -9,7 +9,8 @@ use ndarray::Array3;
 pub struct Volume {
     cells: Array3<u32>,
     contents: BoxHashes,
-    /// By axis: how many wholes of two blocks lie across each face to the next cell, as prefix sums.
+    /// By axis: how many wholes of two blocks lie across each face to the next cell, as prefix sums;
+    /// nothing where there are none.
     bonds: [Array3<u32>; 3],
     wholes: Vec<(Axis, Cell)>,
 }
@@ -20,6 +21,9 @@ impl Volume {
         let (y, z, x) = cells.dim();
         let contents = BoxHashes::new(Cell::new(x as i32, y as i32, z as i32), cells.iter().copied());
         let bonds = Axis::ALL.map(|axis| {
+            if !wholes.iter().any(|(other, _)| *other == axis) {
+                return Array3::zeros((0, 0, 0));
+            }
             let mut across = Array3::<u32>::zeros(cells.dim());
             let own = wholes.iter().filter(|(other, _)| *other == axis);
             own.for_each(|(_, at)| across[index(*at)] = 1);
@@ -58,6 +62,9 @@ impl Volume {
     pub fn is_whole_across(&self, bounds: Bounds, axis: Axis, at: i32) -> bool {
         let layer = bounds.slab(axis, at - 1, at);
         let sums = &self.bonds[axis.index()];
+        if sums.is_empty() {
+            return false;
+        }
         let count = corners(layer).into_iter().fold(0u32, |count, (sign, corner)| {
             let own = sums[index(corner)];
             if sign { count.wrapping_add(own) } else { count.wrapping_sub(own) }
