@@ -130,15 +130,34 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
     });
     let grids: Vec<&Grid> = grids.collect();
     let learnt = match method {
-        Method::Joint if freedom == Freedom::Free || kinship::are_kin(&open) => {
-            joint::joint(&grids, &open, freedom).map_or_else(|| by_boxes(&open, freedom), Ok)
+        Method::Joint if freedom == Freedom::Free || kinship::may_be_kin(&open) => {
+            let one_by_one = || by_boxes(&open, freedom, Mixing::of(&open, freedom));
+            joint::joint(&grids, &open, freedom).map_or_else(one_by_one, Ok)
         }
-        Method::Joint | Method::Boxes => by_boxes(&open, freedom),
+        Method::Joint | Method::Boxes => by_boxes(&open, freedom, Mixing::Parts),
     };
     Ok(naming::name(learnt?, examples))
 }
 
-fn by_boxes(examples: &[Example], freedom: Freedom) -> Result<Learnt, InferError> {
+/// What of examples that are learnt one by one may stand in for what.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Mixing {
+    /// Whole slabs: in what else they differ they may follow the plan that they share.
+    Slabs,
+    /// Any parts, and some are woven into further ones.
+    Parts,
+}
+
+impl Mixing {
+    fn of(examples: &[Example], freedom: Freedom) -> Mixing {
+        match freedom == Freedom::Seen && kinship::are_kin(examples) {
+            true => Mixing::Slabs,
+            false => Mixing::Parts,
+        }
+    }
+}
+
+fn by_boxes(examples: &[Example], freedom: Freedom, mixing: Mixing) -> Result<Learnt, InferError> {
     let mut terminals = Terminals::default();
     examples.iter().for_each(|example| terminals.enter(example));
     let images = match freedom {
@@ -149,7 +168,7 @@ fn by_boxes(examples: &[Example], freedom: Freedom) -> Result<Learnt, InferError
     let mut exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
     let mut sites = Vec::new();
     let mut all = Cow::Borrowed(examples);
-    if let Some(shown) = &mut shown {
+    if let Some(shown) = shown.as_mut().filter(|_| mixing == Mixing::Parts) {
         let mut settled = Settled::by(examples.iter().chain(&images));
         sites = swaps::sites(examples, shown, &terminals, &mut settled, &exchanges);
         let is_alike = |own: usize| ways(own, &sites[own], &exchanges) < MANY_WAYS;
