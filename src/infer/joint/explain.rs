@@ -27,6 +27,8 @@ pub struct Explainer<'c> {
     recolourings: FxHashMap<Boxes, Option<Recolouring>>,
     /// Boxes that are mixed with no other: they are told apart from them, and keep their sizes.
     kept: FxHashSet<Boxes>,
+    /// Boxes that are told apart before anything else is tried, and by which choice, from the best estimate on.
+    first: Option<(Boxes, usize)>,
 }
 
 /// How many steps to look ahead: where it is none, what is estimated best is taken; else the steps that are
@@ -72,7 +74,7 @@ impl<'c> Explainer<'c> {
         let (plan, estimates) = (Plan::default(), Estimates::default());
         let (memo, recolourings, kept) = Default::default();
         corpus.most_asked = MOST_ASKED / AHEAD_TAKES;
-        Explainer { corpus, plan, estimates, memo, recolourings, kept }
+        Explainer { corpus, plan, estimates, memo, recolourings, kept, first: None }
     }
 
     /// Whether a node is a choice in which most boxes share nothing with any other.
@@ -95,9 +97,25 @@ impl<'c> Explainer<'c> {
         self.corpus.is_spent()
     }
 
-    /// From now on there is enough left to look ahead.
-    pub fn look_ahead(&mut self) {
-        self.corpus.most_asked = MOST_ASKED;
+    /// From now on there is enough left to look ahead, but for what was `used` by other searches.
+    pub fn look_ahead(&mut self, used: u64) {
+        self.corpus.most_asked = MOST_ASKED.saturating_sub(used);
+    }
+
+    /// Tells boxes apart before anything else is tried, by the choice of that number from the best estimate on; whether
+    /// there is such.
+    pub fn tell_apart_first(&mut self, boxes: &Boxes, choice: usize) -> bool {
+        self.first = Some((boxes.clone(), choice));
+        self.first_choice(boxes).is_some()
+    }
+
+    fn first_choice(&mut self, boxes: &Boxes) -> Option<Step> {
+        let choice = self.first.as_ref().filter(|(first, _)| first == boxes).map(|(_, choice)| *choice)?;
+        let mut steps = self.steps(boxes);
+        // Boxes each by itself share nothing.
+        steps.retain(|(_, step)| matches!(step, Step::Choose(groups) if groups.len() < boxes.kinds()));
+        steps.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        steps.into_iter().nth(choice).map(|(_, step)| step)
     }
 
     /// Mixes these boxes with no other any more, once they are explained again; whether that is new.
@@ -229,6 +247,9 @@ impl<'c> Explainer<'c> {
 
     /// The best step by the estimate, or of the best ones by what comes of each.
     fn best(&mut self, boxes: &Boxes, search: Search) -> Step {
+        if let Some(first) = self.first_choice(boxes) {
+            return first;
+        }
         let steps = self.steps_in_order(boxes);
         let mut tried: Vec<Step> = match search.0 == 0 {
             true => steps.into_iter().map(|(_, step)| step).take(1).collect(),

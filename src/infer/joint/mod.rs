@@ -46,8 +46,10 @@ use crate::space::{Axis, Cell};
 use blame::{Repair, Repairs, Suspects};
 use boxes::Boxes;
 use corpus::Corpus;
+use emit::Emitted;
 use explain::{Explainer, Search};
 use limits::Limits;
+use plan::NodeId;
 use samples::Shown;
 use starts::Sizes;
 use volume::Volume;
@@ -74,59 +76,152 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     if examples.len() < 2 || cells > MOST_CELLS || examples.iter().any(is_long) {
         return None;
     }
-    let mut terminals = Terminals::default();
-    let mut corpus = corpus(examples, open, &mut terminals);
-    // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
-    corpus.draws_rows = freedom == Freedom::Free;
-    let places = corpus.examples();
-    let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
-    let mut explainer = Explainer::new(&mut corpus);
-    let mut limits = Limits::default();
-    explainer.explain(&boxes, Search(0));
-    if explainer.is_spent() {
-        return None;
+    let task = Task { examples, open, freedom, shown: Shown::by(examples) };
+    let (plain, used) = task.search(First::Any, 0);
+    // What showed nothing wrong took no wrong turn either.
+    if let Some(Found { learnt, repairs: 0, .. }) = plain {
+        return Some(learnt);
     }
-    explainer.look_ahead();
-    let shown = Shown::by(examples);
-    for _ in 0..ROUNDS {
-        let root = explainer.explain_examples(&boxes, Search(AHEAD));
-        if explainer.is_spent() || explainer.tells_most_apart(root, &boxes) {
-            return None;
-        }
-        let emit = |explainer: &mut Explainer<'_>, terminals: &Terminals, root, sizes| {
-            emit::emit(&explainer.plan, explainer.corpus, root, &boxes, terminals, (open, sizes), &limits)
-        };
-        let emitted = emit(&mut explainer, &terminals, root, Sizes::Seen);
-        let faults = match freedom {
-            Freedom::Seen => shown.faults(&emitted.learnt.graph, &mut terminals),
-            Freedom::Free => Vec::new(),
-        };
-        if faults.is_empty() {
-            let is_like = |graph: &OpGraph| freedom == Freedom::Free || shown.is_like(graph);
-            let holds = |explainer: &mut Explainer<'_>, root| {
-                is_like(&emit(explainer, &terminals, root, Sizes::Seen).learnt.graph)
-            };
-            let root = pool::pooled(&mut explainer, root, &boxes, Search(AHEAD), holds);
-            let of_any_size = emit(&mut explainer, &terminals, root, Sizes::Between).learnt;
-            let learnt = match is_like(&of_any_size.graph) {
-                true => of_any_size,
-                false => emit(&mut explainer, &terminals, root, Sizes::Seen).learnt,
-            };
-            return shown.is_exceeded(&learnt.graph).then_some(learnt);
-        }
-        let made_for = explainer.in_use(&boxes, Search(AHEAD));
-        let mut suspects = Suspects {
-            plan: &explainer.plan,
-            corpus: explainer.corpus,
-            emitted: &emitted,
-            made_for: &made_for,
-        };
-        let repairs: Vec<Repairs> = faults.iter().flat_map(|faulty| suspects.repairs(faulty)).collect();
-        if !repair(&mut explainer, &mut limits, &repairs) {
-            return None;
-        }
+    let (mut found, mut all_used): (Vec<Found>, u64) = (plain.into_iter().collect(), used);
+    for choice in 0..CHOICES {
+        let (told_apart, used) = task.search(First::Choice(choice), all_used);
+        found.extend(told_apart);
+        all_used += used;
     }
-    None
+    let shortest = found.into_iter().min_by(|one, other| one.bits.total_cmp(&other.bits));
+    shortest.map(|found| found.learnt)
+}
+
+/// So many ways to tell the examples apart are tried before anything else: a choice that decides on all beside it, such
+/// as on which side a wing stands, is shorter only once everything is explained and pooled.
+const CHOICES: usize = 3;
+
+/// What is searched.
+struct Task<'t> {
+    examples: &'t [&'t Grid],
+    open: &'t [Example],
+    freedom: Freedom,
+    shown: Shown,
+}
+
+/// What is done first with the examples.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum First {
+    Any,
+    /// They are told apart, by the choice of that number.
+    Choice(usize),
+}
+
+/// What was learnt, the bits of describing the examples by it, and how often it had to be repaired.
+struct Found {
+    learnt: Learnt,
+    bits: f64,
+    repairs: usize,
+}
+
+impl Task<'_> {
+    /// The best description that one search finds, and the work that it took. Other searches have used up some of the
+    /// work that may be done.
+    fn search(&self, first: First, used: u64) -> (Option<Found>, u64) {
+        let mut terminals = Terminals::default();
+        let mut corpus = corpus(self.examples, self.open, &mut terminals);
+        // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
+        corpus.draws_rows = self.freedom == Freedom::Free;
+        let places = corpus.examples();
+        let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
+        let found = self.found(&mut corpus, &mut terminals, &boxes, (first, used));
+        (found, corpus.asked)
+    }
+
+    fn found(
+        &self,
+        corpus: &mut Corpus,
+        terminals: &mut Terminals,
+        boxes: &Boxes,
+        (first, used): (First, u64),
+    ) -> Option<Found> {
+        let mut explainer = Explainer::new(corpus);
+        let may_begin = match first {
+            First::Any => {
+                explainer.explain(boxes, Search(0));
+                !explainer.is_spent()
+            }
+            First::Choice(number) => explainer.tell_apart_first(boxes, number),
+        };
+        explainer.look_ahead(used);
+        if may_begin { self.repaired(&mut explainer, terminals, boxes) } else { None }
+    }
+
+    fn repaired(
+        &self,
+        explainer: &mut Explainer<'_>,
+        terminals: &mut Terminals,
+        boxes: &Boxes,
+    ) -> Option<Found> {
+        let mut limits = Limits::default();
+        for repairs in 0..ROUNDS {
+            let root = explainer.explain_examples(boxes, Search(AHEAD));
+            if explainer.is_spent() || explainer.tells_most_apart(root, boxes) {
+                return None;
+            }
+            let emitted = self.emitted(explainer, terminals, (root, boxes), Sizes::Seen, &limits);
+            let faults = match self.freedom {
+                Freedom::Seen => self.shown.faults(&emitted.learnt.graph, terminals),
+                Freedom::Free => Vec::new(),
+            };
+            if faults.is_empty() {
+                let (learnt, bits) = self.pooled(explainer, terminals, (root, boxes), &limits);
+                return self.shown.is_exceeded(&learnt.graph).then_some(Found { learnt, bits, repairs });
+            }
+            let made_for = explainer.in_use(boxes, Search(AHEAD));
+            let mut suspects = Suspects {
+                plan: &explainer.plan,
+                corpus: explainer.corpus,
+                emitted: &emitted,
+                made_for: &made_for,
+            };
+            let ways: Vec<Repairs> = faults.iter().flat_map(|faulty| suspects.repairs(faulty)).collect();
+            if !repair(explainer, &mut limits, &ways) {
+                return None;
+            }
+        }
+        None
+    }
+
+    fn emitted(
+        &self,
+        explainer: &mut Explainer<'_>,
+        terminals: &Terminals,
+        (root, boxes): (NodeId, &Boxes),
+        sizes: Sizes,
+        limits: &Limits,
+    ) -> Emitted {
+        emit::emit(&explainer.plan, explainer.corpus, root, boxes, terminals, (self.open, sizes), limits)
+    }
+
+    /// What has no faults with rules that are one made one, and with further start sizes, as long as it has none; and its
+    /// bits.
+    fn pooled(
+        &self,
+        explainer: &mut Explainer<'_>,
+        terminals: &Terminals,
+        (root, boxes): (NodeId, &Boxes),
+        limits: &Limits,
+    ) -> (Learnt, f64) {
+        let is_like = |graph: &OpGraph| self.freedom == Freedom::Free || self.shown.is_like(graph);
+        let learnt = |explainer: &mut Explainer<'_>, root, sizes| {
+            self.emitted(explainer, terminals, (root, boxes), sizes, limits).learnt
+        };
+        let holds =
+            |explainer: &mut Explainer<'_>, root| is_like(&learnt(explainer, root, Sizes::Seen).graph);
+        let root = pool::pooled(explainer, root, boxes, Search(AHEAD), holds);
+        let of_any_size = learnt(explainer, root, Sizes::Between);
+        let learnt = match is_like(&of_any_size.graph) {
+            true => of_any_size,
+            false => learnt(explainer, root, Sizes::Seen),
+        };
+        (learnt, plan::bits(&explainer.plan, explainer.corpus, root, boxes))
+    }
 }
 
 /// Makes the mildest repair of each fault that is new; boxes are kept apart only where nothing else is left to do.
