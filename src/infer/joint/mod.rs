@@ -78,10 +78,6 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
     }
     let task = Task { examples, open, freedom, shown: Shown::by(examples) };
     let (plain, used) = task.search(First::Any, 0);
-    // What showed nothing wrong took no wrong turn either.
-    if let Some(Found { learnt, repairs: 0, .. }) = plain {
-        return Some(learnt);
-    }
     let (mut found, mut all_used): (Vec<Found>, u64) = (plain.into_iter().collect(), used);
     for choice in 0..CHOICES {
         let (told_apart, used) = task.search(First::Choice(choice), all_used);
@@ -112,11 +108,10 @@ enum First {
     Choice(usize),
 }
 
-/// What was learnt, the bits of describing the examples by it, and how often it had to be repaired.
+/// What was learnt, and the bits of describing the examples by it.
 struct Found {
     learnt: Learnt,
     bits: f64,
-    repairs: usize,
 }
 
 impl Task<'_> {
@@ -159,7 +154,7 @@ impl Task<'_> {
         boxes: &Boxes,
     ) -> Option<Found> {
         let mut limits = Limits::default();
-        for repairs in 0..ROUNDS {
+        for _ in 0..ROUNDS {
             let root = explainer.explain_examples(boxes, Search(AHEAD));
             if explainer.is_spent() || explainer.tells_most_apart(root, boxes) {
                 return None;
@@ -171,7 +166,7 @@ impl Task<'_> {
             };
             if faults.is_empty() {
                 let (learnt, bits) = self.pooled(explainer, terminals, (root, boxes), &limits);
-                return self.shown.is_exceeded(&learnt.graph).then_some(Found { learnt, bits, repairs });
+                return self.shown.is_exceeded(&learnt.graph).then_some(Found { learnt, bits });
             }
             let made_for = explainer.in_use(boxes, Search(AHEAD));
             let mut suspects = Suspects {
