@@ -131,8 +131,8 @@ fn weights(graph: &OpGraph, node: NodeIndex) -> Vec<Option<u32>> {
     graph.children(node).map(|(arg, _)| weight(arg)).collect()
 }
 
-/// The weights are how often each alternative was seen; in how many houses, derivations tell. Where there are several
-/// for one house, these may be of other alternatives, and tell nothing.
+/// The weights are how often each alternative was seen; in how many houses, derivations tell. Where these are of other
+/// alternatives, or some were put together of parts and seen nowhere, the weights only say what will be drawn.
 fn texts(weights: &[Option<u32>], seen: &[Seen], examples: usize) -> Vec<String> {
     let total: u32 = weights.iter().flatten().sum();
     let are_same = weights.iter().zip(seen).all(|(weight, seen)| *weight == Some(seen.times));
@@ -140,7 +140,7 @@ fn texts(weights: &[Option<u32>], seen: &[Seen], examples: usize) -> Vec<String>
     let text = |(weight, seen): (&Option<u32>, &Seen)| match (weight, are_same) {
         (Some(times), true) if is_once_each => format!("seen in {times} of {examples} houses"),
         (Some(times), true) => format!("seen {times} of {total} times, in {}", houses(seen.examples)),
-        (Some(times), false) => format!("seen {times} of {total} times"),
+        (Some(times), false) => format!("drawn {times} of {total} times"),
         (None, _) => format!("seen {} times, in {}", seen.times, houses(seen.examples)),
     };
     weights.iter().zip(seen).map(text).collect()
