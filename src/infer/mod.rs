@@ -134,25 +134,26 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
             let one_by_one = || by_boxes(&open, freedom, Mixing::of(&open, freedom));
             joint::joint(&grids, &open, freedom).map_or_else(one_by_one, Ok)
         }
-        Method::Joint | Method::Boxes => by_boxes(&open, freedom, Mixing::Parts),
+        Method::Joint | Method::Boxes => by_boxes(&open, freedom, Mixing::Woven),
     };
     Ok(naming::name(learnt?, examples))
 }
 
-/// What of examples that are learnt one by one may stand in for what.
+/// How examples that are learnt one by one are mixed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Mixing {
-    /// Whole slabs: in what else they differ they may follow the plan that they share.
-    Slabs,
-    /// Any parts, and some are woven into further ones.
-    Parts,
+    /// Slabs and parts of them stand in for one another.
+    Swapped,
+    /// They are also woven into further ones.
+    Woven,
 }
 
 impl Mixing {
+    /// Examples that share a plan are not woven, which would break it.
     fn of(examples: &[Example], freedom: Freedom) -> Mixing {
         match freedom == Freedom::Seen && kinship::are_kin(examples) {
-            true => Mixing::Slabs,
-            false => Mixing::Parts,
+            true => Mixing::Swapped,
+            false => Mixing::Woven,
         }
     }
 }
@@ -168,11 +169,12 @@ fn by_boxes(examples: &[Example], freedom: Freedom, mixing: Mixing) -> Result<Le
     let mut exchanges = exchange::exchanges(examples, shown.as_ref(), &terminals);
     let mut sites = Vec::new();
     let mut all = Cow::Borrowed(examples);
-    if let Some(shown) = shown.as_mut().filter(|_| mixing == Mixing::Parts) {
+    if let Some(shown) = &mut shown {
         let mut settled = Settled::by(examples.iter().chain(&images));
         sites = swaps::sites(examples, shown, &terminals, &mut settled, &exchanges);
-        let is_alike = |own: usize| ways(own, &sites[own], &exchanges) < MANY_WAYS;
-        let woven = weave::woven(shown, &terminals, &mut settled, is_alike);
+        let needs_more =
+            |own: usize| mixing == Mixing::Woven && ways(own, &sites[own], &exchanges) < MANY_WAYS;
+        let woven = weave::woven(shown, &terminals, &mut settled, needs_more);
         if !woven.is_empty() {
             all.to_mut().extend(woven.iter().map(|cells| Example::Blocks(terminals.grid(cells))));
             shown.add(woven);
