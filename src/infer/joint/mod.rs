@@ -77,10 +77,10 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
         return None;
     }
     let task = Task { examples, open, freedom, shown: Shown::by(examples) };
-    let (plain, used) = task.search(First::Any, 0);
+    let (plain, used) = task.search(First::Any, 0)?;
     let (mut found, mut all_used): (Vec<Found>, u64) = (plain.into_iter().collect(), used);
     for choice in 0..CHOICES {
-        let (told_apart, used) = task.search(First::Choice(choice), all_used);
+        let Some((told_apart, used)) = task.search(First::Choice(choice), all_used) else { break };
         found.extend(told_apart);
         all_used += used;
     }
@@ -116,35 +116,25 @@ struct Found {
 
 impl Task<'_> {
     /// The best description that one search finds, and the work that it took. Other searches have used up some of the
-    /// work that may be done.
-    fn search(&self, first: First, used: u64) -> (Option<Found>, u64) {
+    /// work that may be done. `None` where even what is estimated best takes too long, or there is no such choice.
+    fn search(&self, first: First, used: u64) -> Option<(Option<Found>, u64)> {
         let mut terminals = Terminals::default();
         let mut corpus = corpus(self.examples, self.open, &mut terminals);
         // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
         corpus.draws_rows = self.freedom == Freedom::Free;
         let places = corpus.examples();
         let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
-        let found = self.found(&mut corpus, &mut terminals, &boxes, (first, used));
-        (found, corpus.asked)
-    }
-
-    fn found(
-        &self,
-        corpus: &mut Corpus,
-        terminals: &mut Terminals,
-        boxes: &Boxes,
-        (first, used): (First, u64),
-    ) -> Option<Found> {
-        let mut explainer = Explainer::new(corpus);
+        let mut explainer = Explainer::new(&mut corpus);
         let may_begin = match first {
             First::Any => {
-                explainer.explain(boxes, Search(0));
+                explainer.explain(&boxes, Search(0));
                 !explainer.is_spent()
             }
-            First::Choice(number) => explainer.tell_apart_first(boxes, number),
+            First::Choice(number) => explainer.tell_apart_first(&boxes, number),
         };
         explainer.look_ahead(used);
-        if may_begin { self.repaired(&mut explainer, terminals, boxes) } else { None }
+        let found = may_begin.then(|| self.repaired(&mut explainer, &mut terminals, &boxes))?;
+        Some((found, corpus.asked))
     }
 
     fn repaired(
