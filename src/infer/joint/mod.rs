@@ -137,6 +137,7 @@ impl Task<'_> {
         Some((found, corpus.asked))
     }
 
+    /// Explains the examples, and again after each repair of what samples show wrong, until they show nothing wrong.
     fn repaired(
         &self,
         explainer: &mut Explainer<'_>,
