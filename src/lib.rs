@@ -25,6 +25,8 @@ pub mod run;
 
 pub mod parse;
 
+pub mod shapes;
+
 pub mod infer;
 
 pub mod score;

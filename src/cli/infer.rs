@@ -34,7 +34,7 @@ pub struct Args {
     examples: Vec<PathBuf>,
     /// A grammar to change as little as may be, so that it derives the examples as well: all else that is written in it
     /// stays
-    #[arg(long, value_name = "GRAMMAR", conflicts_with_all = ["scale", "method", "freedom"])]
+    #[arg(long, value_name = "GRAMMAR", conflicts_with_all = ["scale", "method", "terminals", "freedom"])]
     update: Option<PathBuf>,
     /// Where to write the grammar; if not given, standard output, or the grammar to update
     #[arg(short, long, value_name = "FILE")]
@@ -48,6 +48,9 @@ pub struct Args {
     /// How examples of blocks become rules; labelled boxes are always learnt by `boxes`
     #[arg(long, value_enum, default_value_t)]
     method: Method,
+    /// What examples that are learnt by `boxes` are split into; `shapes` are always learnt so
+    #[arg(long, value_enum, default_value_t)]
+    terminals: Terminals,
     /// How far what is learnt may leave the examples
     #[arg(long, value_enum, default_value_t)]
     freedom: Freedom,
@@ -68,6 +71,15 @@ enum Method {
 }
 
 #[derive(Clone, Copy, Default, clap::ValueEnum)]
+enum Terminals {
+    /// The largest cuboids of one block
+    #[default]
+    Cuboids,
+    /// Walls, windows and the like, as `vox shapes` finds them
+    Shapes,
+}
+
+#[derive(Clone, Copy, Default, clap::ValueEnum)]
 enum Freedom {
     /// Blocks stand beside one another only as they do in an example
     #[default]
@@ -85,12 +97,12 @@ impl From<Freedom> for infer::Freedom {
     }
 }
 
-impl From<Method> for infer::Method {
-    fn from(method: Method) -> infer::Method {
-        match method {
-            Method::Joint => infer::Method::Joint,
-            Method::Boxes => infer::Method::Boxes,
-        }
+/// The method that the arguments ask for.
+fn method(args: &Args) -> infer::Method {
+    match (args.terminals, args.method) {
+        (Terminals::Shapes, _) => infer::Method::Shapes,
+        (Terminals::Cuboids, Method::Joint) => infer::Method::Joint,
+        (Terminals::Cuboids, Method::Boxes) => infer::Method::Boxes,
     }
 }
 
@@ -129,7 +141,7 @@ fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
     }
     drop(progress);
     tell_losses(&paths, &examples);
-    let mut learnt = infer::infer(&examples, args.method.into(), args.freedom.into())
+    let mut learnt = infer::infer(&examples, method(args), args.freedom.into())
         .map_err(|error| failure(&paths, &error))?;
     learnt.graph.preamble = preamble(&paths);
     let text = learnt.grammar().to_string();
@@ -142,7 +154,7 @@ fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
     outputs.extend(args.dot.as_ref().map(|path| Output::new(path, dot(&graph))));
     output::write(&outputs, &paths)?;
     let grids: Vec<Grid> = examples.into_iter().filter_map(Example::into_grid).collect();
-    if by != infer::Method::from(args.method) && grids.len() > 1 {
+    if by != method(args) && grids.len() > 1 {
         report::note("no rule was found that joins the examples: they were learnt as with `--method boxes`");
     }
     let outline = (1..=MOST_CELLS)

@@ -167,7 +167,7 @@ pub fn require_grid(name: &str, content: Content) -> Result<Grid, Failure> {
     }
 }
 
-fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
+pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
     read(path, most).map_err(|error| Failure::read(&name(path), &error))
 }
 

@@ -6,6 +6,7 @@ mod check;
 mod completions;
 mod convert;
 mod crop;
+mod derivation_file;
 mod diff;
 mod encoding;
 mod explain;
@@ -13,6 +14,7 @@ mod failure;
 mod fix;
 mod fmt;
 mod graph;
+mod grow;
 mod infer;
 mod info;
 mod input;
@@ -21,13 +23,17 @@ mod materials;
 mod output;
 mod parse;
 mod part;
+mod picture;
 mod progress;
 mod render;
 mod replace;
 mod report;
 mod run;
 mod score;
+mod session;
 mod settings;
+mod shapes;
+mod shaping;
 mod size;
 mod summary;
 mod tally;
@@ -65,6 +71,8 @@ enum Command {
     Why(why::Args),
     Infer(infer::Args),
     Score(score::Args),
+    Shapes(shapes::Args),
+    Grow(grow::Args),
     Parse(parse::Args),
     Graph(graph::Args),
     Check(check::Args),
@@ -95,6 +103,8 @@ pub fn run_from(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> 
         Command::Why(args) => why::execute(&args),
         Command::Infer(args) => infer::execute(&args),
         Command::Score(args) => score::execute(&args),
+        Command::Shapes(args) => shapes::execute(&args),
+        Command::Grow(args) => grow::execute(&args),
         Command::Parse(args) => parse::execute(&args),
         Command::Graph(args) => graph::execute(&args),
         Command::Check(args) => check::execute(&args),

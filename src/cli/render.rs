@@ -67,7 +67,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
 /// The pixels of all pictures of a sheet: 600 MB of memory.
 const MOST_PIXELS: u64 = 150_000_000;
 
-fn require_png(path: &Path) -> Result<(), Failure> {
+pub fn require_png(path: &Path) -> Result<(), Failure> {
     let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
     match is_png || input::is_stdio(path) {
         true => Ok(()),
@@ -78,7 +78,7 @@ fn require_png(path: &Path) -> Result<(), Failure> {
     }
 }
 
-fn caption(path: &Path) -> String {
+pub fn caption(path: &Path) -> String {
     path.file_stem().map_or_else(|| input::name(path), |stem| stem.to_string_lossy().into_owned())
 }
 

@@ -22,7 +22,8 @@ pub struct Held {
 }
 
 impl Held {
-    pub fn new(all: Vec<Vec<Site>>, terminals: &mut Terminals) -> Held {
+    /// `plain` are, by example, further boxes of one block each with its terminal; it may end early.
+    pub fn new(all: Vec<Vec<Site>>, plain: Vec<Vec<(Bounds, u32)>>, terminals: &mut Terminals) -> Held {
         let first = terminals.list.len() as u32;
         let (mut sites, mut boxes): (Vec<Site>, _) = (Vec::new(), Vec::new());
         for own in all {
@@ -35,8 +36,9 @@ impl Held {
                 });
                 (bounds, first + number as u32)
             });
-            boxes.push(labelled.collect());
+            boxes.push(labelled.collect::<Vec<_>>());
         }
+        boxes.iter_mut().zip(plain).for_each(|(boxes, plain)| boxes.extend(plain));
         let slabs: Vec<Slab> = sites.iter().flat_map(|site| contents(site, terminals)).collect();
         let kinds = combine(&slabs, Chance::Bodies, BTreeSet::new());
         Held { sites, kinds, boxes, first }

@@ -19,6 +19,7 @@ mod kinship;
 mod law;
 mod naming;
 mod neighbourhood;
+mod shaped;
 mod swaps;
 pub mod tree;
 mod variety;
@@ -27,6 +28,7 @@ mod weave;
 use crate::grammar::Grammar;
 use crate::graph::OpGraph;
 use crate::grid::Grid;
+use crate::space::Bounds;
 use combine::Slab;
 use exchange::Exchange;
 use held::Held;
@@ -97,6 +99,9 @@ pub enum Method {
     /// of what is equal or differs in size only. Examples of blocks that have one size are first cut at the
     /// planes where they can be exchanged.
     Boxes,
+    /// As [`Method::Boxes`], with SIGI's shapes as terminals in place of the largest cuboids: the step that the authors of
+    /// seed 3 propose ("Split Grammar Induction").
+    Shapes,
 }
 
 /// How far what is learnt may leave its examples.
@@ -131,10 +136,10 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
     let grids: Vec<&Grid> = grids.collect();
     let learnt = match method {
         Method::Joint if freedom == Freedom::Free || kinship::may_be_kin(&open) => {
-            let one_by_one = || by_boxes(&open, freedom, Mixing::of(&open, freedom));
+            let one_by_one = || by_boxes(&open, freedom, Mixing::of(&open, freedom), method);
             joint::joint(&grids, &open, freedom).map_or_else(one_by_one, Ok)
         }
-        Method::Joint | Method::Boxes => by_boxes(&open, freedom, Mixing::Woven),
+        Method::Joint | Method::Boxes | Method::Shapes => by_boxes(&open, freedom, Mixing::Woven, method),
     };
     Ok(naming::name(learnt?, examples))
 }
@@ -158,7 +163,12 @@ impl Mixing {
     }
 }
 
-fn by_boxes(examples: &[Example], freedom: Freedom, mixing: Mixing) -> Result<Learnt, InferError> {
+fn by_boxes(
+    examples: &[Example],
+    freedom: Freedom,
+    mixing: Mixing,
+    method: Method,
+) -> Result<Learnt, InferError> {
     let mut terminals = Terminals::default();
     examples.iter().for_each(|example| terminals.enter(example));
     let images = match freedom {
@@ -183,17 +193,29 @@ fn by_boxes(examples: &[Example], freedom: Freedom, mixing: Mixing) -> Result<Le
             sites.extend(further);
         }
     }
-    learnt_apart(&all, sites, &exchanges, terminals)
+    if method != Method::Shapes {
+        return learnt_apart(&all, sites, Vec::new(), &exchanges, terminals);
+    }
+    sites.resize_with(all.len(), Vec::new);
+    let mut plain = Vec::new();
+    for (example, sites) in all.iter().zip(&mut sites) {
+        let shaped = shaped::shaped(example, sites, &mut terminals);
+        sites.extend(shaped.sites);
+        plain.push(shaped.plain);
+    }
+    let learnt = learnt_apart(&all, sites, plain, &exchanges, terminals)?;
+    Ok(Learnt { by: Method::Shapes, ..learnt })
 }
 
 /// What is learnt of examples with their sites, and of where they can be exchanged.
 fn learnt_apart(
     examples: &[Example],
     sites: Vec<Vec<Site>>,
+    plain: Vec<Vec<(Bounds, u32)>>,
     exchanges: &[Exchange],
     mut terminals: Terminals,
 ) -> Result<Learnt, InferError> {
-    let held = Held::new(sites, &mut terminals);
+    let held = Held::new(sites, plain, &mut terminals);
     let mut slabs = Vec::new();
     for (number, example) in examples.iter().enumerate() {
         let group = exchanges.iter().find(|group| group.members.contains(&number));

@@ -5,10 +5,12 @@ use super::options::ViewOptions;
 use super::scene::{Look, Part, Scene, Sight};
 use super::side::Side;
 use super::texture::noise;
+use crate::block::Rgba;
 use crate::grid::Grid;
 use crate::space::Cell;
 use glam::Vec3;
 use image::RgbaImage;
+use ndarray::Array3;
 
 /// Light that a corner loses for each of up to three blocks that crowd it.
 const CROWDING: f32 = 0.13;
@@ -18,7 +20,16 @@ const SMALLEST_DETAIL: f32 = 4.0;
 
 /// A picture of a grid from above one of its corners, in parallel projection.
 pub fn isometric(grid: &Grid, options: &ViewOptions) -> RgbaImage {
-    let scene = Scene::new(grid, options.corner);
+    picture(Scene::new(grid, options.corner), options)
+}
+
+/// The same of full blocks in plain colours: each cell, indexed `[y, z, x]`, is the number of its colour. Where there is none,
+/// the cell is empty.
+pub fn isometric_colors(cells: &Array3<u16>, colors: &[Option<Rgba>], options: &ViewOptions) -> RgbaImage {
+    picture(Scene::of_colors(cells, colors, options.corner), options)
+}
+
+fn picture(scene: Scene<'_>, options: &ViewOptions) -> RgbaImage {
     let camera = Camera::new(scene.extent().unwrap_or_default(), options.scale);
     let scene = if camera.half < SMALLEST_DETAIL { scene.coarse() } else { scene };
     let [red, green, blue, _] = options.background.0;

@@ -16,7 +16,7 @@ mod side;
 mod text;
 mod texture;
 
-pub use isometric::isometric;
+pub use isometric::{isometric, isometric_colors};
 pub use options::{Corner, Scale, ViewOptions};
 pub use png::png;
 pub use sheet::sheet;

@@ -6,7 +6,7 @@ use crate::block::{BlockState, Cuboid, Family, Rgba, Shape, boxes, color, shape}
 use crate::grid::Grid;
 use crate::space::{Cell, Turn};
 use glam::Vec3;
-use ndarray::{ArrayView1, ArrayView3, Axis, s};
+use ndarray::{Array3, ArrayView1, ArrayView3, Axis, s};
 
 /// A grid, turned so that the camera stands in the south-east, with what its blocks look like.
 pub(super) struct Scene<'a> {
@@ -45,11 +45,29 @@ pub(super) struct Part {
     pub textures: [&'static Texture; 3],
 }
 
+impl Look {
+    fn empty() -> Look {
+        Look { sight: Sight::Empty, parts: Vec::new() }
+    }
+
+    /// A full block of one colour.
+    fn cube(color: Rgba) -> Look {
+        let part = Part { low: Vec3::ZERO, high: Vec3::ONE, colors: [color; 3], textures: [plain(); 3] };
+        Look { sight: Sight::Solid, parts: vec![part] }
+    }
+}
+
 impl<'a> Scene<'a> {
     pub fn new(grid: &'a Grid, corner: Corner) -> Scene<'a> {
         let turn = corner.turn();
         let looks = grid.palette().states().iter().map(|state| look(&state.turned(turn))).collect();
         Scene { cells: turned(grid.cells().view(), turn), looks }
+    }
+
+    /// Cells of plain colours, by the numbers of the colours; those that are of none are empty.
+    pub fn of_colors(cells: &'a Array3<u16>, colors: &[Option<Rgba>], corner: Corner) -> Scene<'a> {
+        let looks = colors.iter().map(|color| color.map_or_else(Look::empty, Look::cube)).collect();
+        Scene { cells: turned(cells.view(), corner.turn()), looks }
     }
 
     /// All cells that are not empty with their palette numbers, roughly from the front to the back:
@@ -175,7 +193,6 @@ fn blunt(part: Part) -> Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ndarray::Array3;
 
     #[test]
     fn turned_cells_are_where_the_turn_puts_them() {

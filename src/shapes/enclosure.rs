@@ -1,0 +1,102 @@
+//! Which shapes enclose something (seed 3, "Enclosure constraint").
+
+use super::layer::Layer;
+use super::part::Parts;
+use super::production::{Placed, Production, around};
+use crate::space::{Axis, Cell};
+use fixedbitset::FixedBitSet;
+
+/// Marks the shapes, from one on, whose both sides the outside of their example reaches: production leaves them alone.
+pub fn mark_open(parts: &mut Parts, first: usize) {
+    let mut production = Production::new(parts);
+    let placed = parts.parts[first..].iter().map(|part| Placed { form: part.form, placement: part.placement, is_open: false });
+    placed.for_each(|placed| production.push(placed));
+    let open = open(&production);
+    for index in open {
+        parts.parts[first + index].is_open = true;
+    }
+}
+
+/// Removes shapes that enclose nothing and did so in their examples, until nothing changes: what is removed may open others.
+/// The first shape may go as well.
+pub fn enclose(production: &mut Production<'_>) {
+    loop {
+        let mut open = open(production);
+        open.retain(|index| !production.placed()[*index].is_open);
+        if open.is_empty() {
+            return;
+        }
+        for index in open.into_iter().rev() {
+            production.remove(index);
+        }
+    }
+}
+
+/// How many free places within the box around a production the outside does not reach: the rooms.
+pub fn enclosed(production: &Production<'_>) -> usize {
+    let Some(outside) = Outside::of(production) else { return 0 };
+    let cells = crate::space::Bounds::new(outside.low, outside.low + outside.size).cells();
+    cells.filter(|cell| production.is_free(*cell) && !outside.reaches(*cell)).count()
+}
+
+/// The plane shapes that the outside reaches on both sides. A row of blocks has two pairs of sides: it is open where the outside
+/// reaches both of one pair. Solid shapes have no sides.
+fn open(production: &Production<'_>) -> Vec<usize> {
+    let Some(outside) = Outside::of(production) else { return Vec::new() };
+    let is_open = |placed: &Placed| {
+        let reaches = |side: Cell| production.blocks(placed).any(|(cell, _)| outside.reaches(cell + side));
+        flat(production, placed).any(|axis| reaches(-axis.unit()) && reaches(axis.unit()))
+    };
+    let placed = production.placed().iter().enumerate();
+    placed.filter(|(_, placed)| is_open(placed)).map(|(index, _)| index).collect()
+}
+
+/// The axes along which a shape is one block thick.
+fn flat(production: &Production<'_>, placed: &Placed) -> impl Iterator<Item = Axis> + use<> {
+    let is_solid = production.parts().forms[placed.form].layer == Layer::Solid;
+    let cells = production.blocks(placed).map(|(cell, _)| cell);
+    let (low, high) = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
+    Axis::ALL.into_iter().filter(move |axis| !is_solid && axis.of(low) == axis.of(high))
+}
+
+/// The free places that can be reached from outside through free places that share a face.
+struct Outside {
+    low: Cell,
+    size: Cell,
+    reached: FixedBitSet,
+}
+
+impl Outside {
+    /// Of a box with one free layer around the production, but not below it: buildings stand on the ground.
+    fn of(production: &Production<'_>) -> Option<Outside> {
+        let (low, high) = production.extent()?;
+        let low = low - Cell::new(1, 0, 1);
+        let size = high + Cell::ONE - low + Cell::ONE;
+        let cells = size.as_i64vec3().element_product() as usize;
+        let mut outside = Outside { low, size, reached: FixedBitSet::with_capacity(cells) };
+        outside.flood(production);
+        Some(outside)
+    }
+
+    fn flood(&mut self, production: &Production<'_>) {
+        let mut open = vec![self.low];
+        while let Some(cell) = open.pop() {
+            let Some(index) = self.index(cell) else { continue };
+            if !self.reached[index] && production.is_free(cell) {
+                self.reached.insert(index);
+                open.extend(around(cell));
+            }
+        }
+    }
+
+    fn index(&self, cell: Cell) -> Option<usize> {
+        let place = cell - self.low;
+        let is_inside = place.min_element() >= 0 && place.cmplt(self.size).all();
+        let [x, y, z] = place.to_array().map(|n| n as usize);
+        is_inside.then(|| (y * self.size.z as usize + z) * self.size.x as usize + x)
+    }
+
+    fn reaches(&self, cell: Cell) -> bool {
+        self.index(cell).is_some_and(|index| self.reached[index])
+    }
+}
