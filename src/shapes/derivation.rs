@@ -30,7 +30,7 @@ pub struct Derivation {
     /// The shape of the examples that it begins with.
     pub start: usize,
     pub steps: Vec<Application>,
-    /// Shapes that were taken away again at the end, by number.
+    /// Shapes that are taken away again at the end, by number.
     pub removed: Vec<usize>,
     pub enclosure: Enclosure,
 }
@@ -84,13 +84,8 @@ pub fn result(grammar: &ShapeGrammar, production: &Production<'_>, step: Applica
 }
 
 fn remove(production: &mut Production<'_>, removed: &[usize]) -> Result<(), BadDerivation> {
-    let mut removed = removed.to_vec();
-    removed.sort_unstable();
-    removed.dedup();
-    for index in removed.into_iter().rev() {
-        if index >= production.placed().len() {
-            return Err(BadDerivation::Removed(index));
-        }
+    for number in removed {
+        let index = production.index(*number).ok_or(BadDerivation::Removed(*number))?;
         production.remove(index);
     }
     Ok(())

@@ -28,7 +28,7 @@ pub fn mend(grammar: &ShapeGrammar, production: &mut Production<'_>, derivation:
         fewest = fewest.min(left.len());
         unseen = left;
     }
-    take_away(grammar, production, derivation);
+    take_away(grammar, derivation);
 }
 
 /// The step at a shape with an unseen neighbourhood that leaves the fewest.
@@ -85,13 +85,11 @@ fn at_fault(production: &Production<'_>, unseen: &Lows) -> Vec<usize> {
     placed.filter(|(_, placed)| production.blocks(placed).any(|(cell, _)| is_in(cell))).map(|(index, _)| index).collect()
 }
 
-/// Takes away the latest shape at fault, one after the other.
-fn take_away(grammar: &ShapeGrammar, production: &mut Production<'_>, derivation: &mut Derivation) {
-    let mut numbers: Vec<usize> = (0..production.placed().len()).collect();
-    loop {
-        let unseen = grammar.seen.unseen(production);
-        let Some(last) = at_fault(production, &unseen).pop() else { break };
-        production.remove(last);
-        derivation.removed.push(numbers.remove(last));
+/// Takes away the latest shape at fault of what is left in the end, one after the other.
+fn take_away(grammar: &ShapeGrammar, derivation: &mut Derivation) {
+    while let Ok(production) = derivation.production(grammar) {
+        let unseen = grammar.seen.unseen(&production);
+        let Some(last) = at_fault(&production, &unseen).pop() else { break };
+        derivation.removed.push(production.number(last));
     }
 }

@@ -24,6 +24,9 @@ pub fn around(cell: Cell) -> impl Iterator<Item = Cell> {
 pub struct Production<'a> {
     parts: &'a Parts,
     placed: Vec<Placed>,
+    /// The number of each shape: how many came before it, whatever has gone since.
+    numbers: Vec<usize>,
+    pushed: usize,
     there: BTreeSet<(FormId, Placement)>,
     /// The block at each place, and how many shapes hold it.
     cells: FxHashMap<Cell, (u32, u32)>,
@@ -31,7 +34,7 @@ pub struct Production<'a> {
 
 impl<'a> Production<'a> {
     pub fn new(parts: &'a Parts) -> Production<'a> {
-        Production { parts, placed: Vec::new(), there: BTreeSet::new(), cells: FxHashMap::default() }
+        Production { parts, placed: Vec::new(), numbers: Vec::new(), pushed: 0, there: BTreeSet::new(), cells: FxHashMap::default() }
     }
 
     pub fn parts(&self) -> &'a Parts {
@@ -40,6 +43,16 @@ impl<'a> Production<'a> {
 
     pub fn placed(&self) -> &[Placed] {
         &self.placed
+    }
+
+    /// How many shapes came before one of those that are there.
+    pub fn number(&self, index: usize) -> usize {
+        self.numbers[index]
+    }
+
+    /// Where the shape of a number is among those that are there.
+    pub fn index(&self, number: usize) -> Option<usize> {
+        self.numbers.binary_search(&number).ok()
     }
 
     /// The number of blocks.
@@ -107,14 +120,20 @@ impl<'a> Production<'a> {
         }
         self.there.insert((placed.form, placed.placement));
         self.placed.push(placed);
+        self.numbers.push(self.pushed);
+        self.pushed += 1;
     }
 
+    /// Takes back the last shape, and its number.
     pub fn pop(&mut self) -> Option<Placed> {
-        self.placed.len().checked_sub(1).map(|last| self.remove(last))
+        let last = self.placed.len().checked_sub(1)?;
+        self.pushed = self.numbers[last];
+        Some(self.remove(last))
     }
 
     pub fn remove(&mut self, index: usize) -> Placed {
         let placed = self.placed.remove(index);
+        self.numbers.remove(index);
         self.there.remove(&(placed.form, placed.placement));
         for (cell, _) in self.blocks(&placed) {
             let held = self.cells.get_mut(&cell).expect("what was put there is there");
