@@ -1,0 +1,335 @@
+//! How splits take other lengths than they were drawn with: windows stay whole, walls give and take, and repeats come and
+//! go.
+
+use super::plan::{Item, Node, NodeId, Plan};
+use super::{Side, Stretch};
+use crate::graph::Group;
+use crate::run::written_out;
+use crate::space::{self, fit};
+use std::ops::Range;
+
+/// What the nodes of a plan can do, by number.
+#[derive(Clone, Debug, Default)]
+pub struct Giving {
+    /// Along x and y: whether a node can have other lengths, its windows whole.
+    pub stretches: [Vec<bool>; 2],
+    /// Along x and y: whether there is anything in a node that cannot.
+    pub is_hard: [Vec<bool>; 2],
+    /// Along x and y: whether what stands in a node comes again in it, so that it can come more often.
+    pub repeats: [Vec<bool>; 2],
+    /// Whether a window or the like is in it.
+    pub has_window: Vec<bool>,
+    /// Whether a door is in it: buildings have no further one.
+    pub has_door: Vec<bool>,
+}
+
+/// A node stretches across the axis of its split if so much of it does: the rest then stands in walls.
+const MOST_OF_IT: f64 = 0.6;
+
+impl Giving {
+    pub fn of(plan: &Plan, stretch: &[Stretch], doors: &[bool]) -> Giving {
+        let mut giving = Giving::default();
+        for (number, node) in plan.nodes.iter().enumerate() {
+            match node {
+                Node::Leaf(label) => giving.add_leaf(stretch[*label as usize], doors[*label as usize]),
+                Node::Split { axis, items } => {
+                    let any = |list: &[bool]| plan.parts(number).any(|part| list[part.node]);
+                    let (window, door) = (any(&giving.has_window), any(&giving.has_door));
+                    let hard = [any(&giving.is_hard[0]), any(&giving.is_hard[1])];
+                    let seen = items.iter().any(|item| item.times > 1);
+                    let along = (seen || any(&giving.stretches[axis.index()]), giving.comes_again(plan, number));
+                    let other = axis.other().index();
+                    let across = (mostly(items, &giving.stretches[other]), mostly(items, &giving.repeats[other]));
+                    for (side, (stretches, repeats)) in [(axis.index(), along), (other, across)] {
+                        giving.stretches[side].push(stretches);
+                        giving.repeats[side].push(repeats && stretches);
+                        giving.is_hard[side].push(hard[side]);
+                    }
+                    giving.has_window.push(window);
+                    giving.has_door.push(door);
+                }
+            }
+        }
+        giving
+    }
+
+    fn add_leaf(&mut self, stretch: Stretch, is_door: bool) {
+        let is_soft = [stretch != Stretch::Hard, stretch == Stretch::Soft];
+        for (axis, is_soft) in is_soft.into_iter().enumerate() {
+            self.stretches[axis].push(is_soft);
+            self.is_hard[axis].push(!is_soft);
+            self.repeats[axis].push(false);
+        }
+        self.has_window.push(stretch == Stretch::Hard);
+        self.has_door.push(is_door);
+    }
+
+    /// Whether a split has a part with a window that stands in it more than once, or one in which that is so.
+    fn comes_again(&self, plan: &Plan, node: NodeId) -> bool {
+        let Node::Split { axis, items } = &plan.nodes[node] else { return false };
+        let nodes: Vec<NodeId> = plan.parts(node).map(|part| part.node).collect();
+        let often = |node: &NodeId| nodes.iter().filter(|other| *other == node).count() > 1;
+        let again = |node: &NodeId| self.repeats[axis.index()][*node] || (self.has_window[*node] && often(node));
+        items.iter().any(|item| item.times > 1) || nodes.iter().any(again)
+    }
+}
+
+/// Whether that is so of most of a split, by length.
+fn mostly(items: &[Item], is_so: &[bool]) -> bool {
+    let parts = || items.iter().flat_map(|item| item.parts.iter().map(|part| (item.times * part.length, part.node)));
+    let all: u32 = parts().map(|(length, _)| length).sum();
+    let those: u32 = parts().filter(|(_, node)| is_so[*node]).map(|(length, _)| length).sum();
+    f64::from(those) >= MOST_OF_IT * f64::from(all)
+}
+
+/// A split that takes any length.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Stretched {
+    pub parts: Vec<Stretchy>,
+    /// The runs of parts that repeat as they fit.
+    pub repeats: Vec<Range<usize>>,
+}
+
+/// A part of it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Stretchy {
+    /// Nothing was drawn there: it is wall, where there is room.
+    pub node: Option<NodeId>,
+    pub length: Length,
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Length {
+    /// A share of what is left, in proportion to its own length.
+    Share(f64),
+    /// So many blocks, and nothing in scopes shorter than `from`.
+    Whole { blocks: u32, from: u32 },
+}
+
+/// The share of a wall that has no length in the layout: it rounds to none.
+const FILLER: f64 = 0.25;
+
+/// A node in the middle of walls that have no length in the layout.
+pub fn walled(node: NodeId, length: u32) -> Stretched {
+    let filler = Stretchy { node: None, length: Length::Share(FILLER) };
+    let own = Stretchy { node: Some(node), length: Length::Whole { blocks: length, from: length } };
+    Stretched { parts: vec![filler, own, filler], repeats: Vec::new() }
+}
+
+/// A split that takes any length; `None` if no way was found that keeps all hard parts whole.
+pub fn stretched(plan: &Plan, giving: &Giving, node: NodeId) -> Option<Stretched> {
+    let Node::Split { axis, items } = &plan.nodes[node] else { return None };
+    let natural = items.iter().map(|item| item.times * item.parts.iter().map(|part| part.length).sum::<u32>()).sum();
+    let seen = parts(plan, giving, *axis, node);
+    let grows = seen.repeats.is_empty() && !plan.parts(node).any(|part| giving.repeats[axis.index()][part.node]);
+    let grown = grows.then(|| grown(giving, *axis, &seen)).flatten();
+    let candidates = grown.into_iter().chain([seen]).flat_map(|split| [split.clone(), split.stiff_inside()]);
+    candidates.map(|split| split.with_fillers().guarded(giving, natural)).find(|split| split.holds(natural))
+}
+
+/// The parts of a split as they were seen. What holds something hard is whole, unless what is in it comes again there; if
+/// nothing else gives, parts of it that can stretch do.
+fn parts(plan: &Plan, giving: &Giving, axis: Side, node: NodeId) -> Stretched {
+    let (side, mut split) = (axis.index(), Stretched { parts: Vec::new(), repeats: Vec::new() });
+    let Node::Split { items, .. } = &plan.nodes[node] else { return split };
+    let comes_often = items.iter().any(|item| item.times > 1);
+    let again = |node: NodeId| !comes_often && giving.repeats[side][node] && giving.stretches[side][node];
+    let gives = comes_often || plan.parts(node).any(|part| !giving.is_hard[side][part.node] || again(part.node));
+    for item in items {
+        let start = split.parts.len();
+        for part in &item.parts {
+            let may = !gives || !giving.is_hard[side][part.node] || again(part.node);
+            let length = match giving.stretches[side][part.node] && may {
+                true => Length::Share(f64::from(part.length)),
+                false => Length::Whole { blocks: part.length, from: 0 },
+            };
+            split.parts.push(Stretchy { node: Some(part.node), length });
+        }
+        if item.times > 1 {
+            split.repeats.push(start..split.parts.len());
+        }
+    }
+    split
+}
+
+/// With a part that comes again where there is room, though the layout shows it once: a window with the wall beside it, a
+/// storey with the wall below it. Of those that stand more than once the one nearest to the middle, and with it the one
+/// that mirrors it.
+fn grown(giving: &Giving, axis: Side, seen: &Stretched) -> Option<Stretched> {
+    let parts = &seen.parts;
+    let is_whole = |at: usize| matches!(parts[at].length, Length::Whole { .. });
+    let is_share = |at: usize| parts.get(at).is_some_and(|part| matches!(part.length, Length::Share(_)));
+    let may_come_again = |node: NodeId| giving.has_window[node] && !giving.has_door[node];
+    let often = |at: usize| parts.iter().filter(|part| part.node == parts[at].node).count();
+    let first = (0..parts.len()).find(|at| is_whole(*at));
+    let is_only = (0..parts.len()).filter(|at| is_whole(*at)).count() == 1;
+    // A ground floor that is like no other comes once.
+    let is_ground = |at: usize| axis == Side::Y && Some(at) == first && often(at) == 1 && !is_only;
+    let is_unit = |at: &usize| {
+        let has_wall = is_share(at.wrapping_sub(1)) || is_share(at + 1);
+        is_whole(*at) && has_wall && !is_ground(*at) && parts[*at].node.is_some_and(may_come_again)
+    };
+    let middles = middles(parts);
+    let off = |at: usize| middles[at].abs();
+    let best = (0..parts.len()).filter(is_unit).max_by(|a, b| {
+        often(*a).cmp(&often(*b)).then(off(*b).total_cmp(&off(*a))).then(a.cmp(b))
+    })?;
+    // The wall on the side of the middle goes with it, so that mirrored units mirror each other; with a storey that below.
+    let unit = |at: usize| {
+        let before = is_share(at.wrapping_sub(1)).then(|| at - 1..at + 1);
+        let after = is_share(at + 1).then(|| at..at + 2);
+        if axis == Side::Y || middles[at] > 0.0 { before.or(after) } else { after.or(before) }
+    };
+    let mirror = parts.len() - 1 - best;
+    let mut repeats: Vec<_> = unit(best).into_iter().collect();
+    if axis == Side::X && mirror != best && is_unit(&mirror) && parts[mirror].node == parts[best].node {
+        let apart = |a: &Range<usize>, b: &Range<usize>| a.end <= b.start || b.end <= a.start;
+        repeats.extend(unit(mirror).filter(|other| repeats.iter().all(|range| apart(range, other))));
+        repeats.sort_by_key(|range| range.start);
+    }
+    Some(Stretched { parts: parts.clone(), repeats })
+}
+
+/// How far the middle of each part is from the middle of all, in blocks.
+fn middles(parts: &[Stretchy]) -> Vec<f64> {
+    let length = |part: &Stretchy| match part.length {
+        Length::Share(share) => share,
+        Length::Whole { blocks, .. } => f64::from(blocks),
+    };
+    let total: f64 = parts.iter().map(length).sum();
+    let mut at = -total / 2.0;
+    let middle = |part: &Stretchy| {
+        at += length(part);
+        at - length(part) / 2.0
+    };
+    parts.iter().map(middle).collect()
+}
+
+impl Stretched {
+    fn is_inside(&self, at: usize) -> bool {
+        self.repeats.iter().any(|range| range.contains(&at))
+    }
+
+    /// With whole lengths inside repeats, which then come as often as all of them fits.
+    fn stiff_inside(mut self) -> Stretched {
+        for at in 0..self.parts.len() {
+            if let (true, Length::Share(share)) = (self.is_inside(at), self.parts[at].length) {
+                self.parts[at].length = Length::Whole { blocks: share as u32, from: 0 };
+            }
+        }
+        self
+    }
+
+    /// With walls of no length at both ends where nothing outside of repeats gives.
+    fn with_fillers(mut self) -> Stretched {
+        let gives = (0..self.parts.len()).any(|at| !self.is_inside(at) && matches!(self.parts[at].length, Length::Share(_)));
+        let gives_inside = (0..self.parts.len()).any(|at| self.is_inside(at) && matches!(self.parts[at].length, Length::Share(_)));
+        if !gives && !gives_inside {
+            let filler = Stretchy { node: None, length: Length::Share(FILLER) };
+            self.parts.insert(0, filler);
+            self.parts.push(filler);
+            self.repeats.iter_mut().for_each(|range| *range = range.start + 1..range.end + 1);
+        }
+        self
+    }
+
+    /// With the least scope for each hard part outside of repeats, and for those that share a repeat with walls. What is
+    /// nearest to the middle stays longest, doors before all.
+    fn guarded(mut self, giving: &Giving, natural: u32) -> Stretched {
+        let mut sum = 0;
+        let levels = self.levels(giving);
+        for level in &levels {
+            sum += level.iter().map(|at| self.whole(*at) + 1).sum::<u32>();
+            self.show(level, (sum + 1).min(natural));
+        }
+        // In scopes in which walls have no room between windows, the outermost go.
+        let mut shown = levels.len();
+        for total in (1..natural).rev() {
+            while shown > 0 && !self.fits(total) {
+                shown -= 1;
+                self.show(&levels[shown], total + 1);
+            }
+        }
+        self
+    }
+
+    /// The parts that are shown only where there is room, those that are shown first before the others.
+    fn levels(&self, giving: &Giving) -> Vec<Vec<usize>> {
+        let has_share = |range: &Range<usize>| self.parts[range.clone()].iter().any(|part| part.is_share());
+        let is_free = |at: usize| self.repeats.iter().find(|range| range.contains(&at)).is_none_or(has_share);
+        let middle = (self.parts.len() as i64) - 1;
+        let rank = |at: usize| {
+            let is_door = self.parts[at].node.is_some_and(|node| giving.has_door[node]);
+            if is_door { -1 } else { (2 * at as i64 - middle).abs() }
+        };
+        let mut ranked: Vec<(i64, usize)> =
+            (0..self.parts.len()).filter(|at| !self.parts[*at].is_share() && is_free(*at)).map(|at| (rank(at), at)).collect();
+        ranked.sort_unstable();
+        ranked.chunk_by(|a, b| a.0 == b.0).map(|level| level.iter().map(|(_, at)| *at).collect()).collect()
+    }
+
+    fn whole(&self, at: usize) -> u32 {
+        match self.parts[at].length {
+            Length::Whole { blocks, .. } => blocks,
+            Length::Share(_) => 0,
+        }
+    }
+
+    fn show(&mut self, level: &[usize], from: u32) {
+        for at in level {
+            self.parts[*at].length = Length::Whole { blocks: self.whole(*at), from };
+        }
+    }
+
+    /// The lengths in a scope of `total` blocks.
+    fn lengths(&self, total: u32) -> Vec<space::Length> {
+        let length = |part: &Stretchy| match part.length {
+            Length::Share(share) => space::Length::Floating(share),
+            Length::Whole { blocks, from } => space::Length::Absolute(f64::from(if total >= from { blocks } else { 0 })),
+        };
+        self.parts.iter().map(length).collect()
+    }
+
+    /// Whether it fits scopes of all lengths, tried out as a run does it.
+    fn holds(&self, natural: u32) -> bool {
+        let most = (4 * natural).clamp(64, 2048).max(natural + 1);
+        (1..=most).all(|total| self.fits(total))
+    }
+
+    /// Whether every hard part is whole or left out in a scope, with wall between any two that have wall between them.
+    fn fits(&self, total: u32) -> bool {
+        let lengths = self.lengths(total);
+        let groups: Vec<Group> = self.repeats.iter().map(|range| Group { children: range.clone() }).collect();
+        let order = match groups.is_empty() {
+            true => Ok((0..lengths.len()).collect()),
+            false => written_out(&lengths, &groups, total as i32),
+        };
+        let Ok(order) = order else { return false };
+        let out: Vec<space::Length> = order.iter().map(|at| lengths[*at]).collect();
+        let Ok(bounds) = fit(total as i32, &out) else { return false };
+        // The wall since the last hard part that is there: none where no wall was meant to be.
+        let mut wall = None;
+        let mut is_first = true;
+        for (length, ends) in out.iter().zip(bounds.windows(2)) {
+            let blocks = ends[1] - ends[0];
+            match length {
+                space::Length::Floating(_) => wall = Some(wall.unwrap_or(0) + blocks),
+                space::Length::Absolute(size) if f64::from(blocks) != *size => return false,
+                space::Length::Absolute(_) if blocks == 0 => {}
+                space::Length::Absolute(_) => {
+                    if !is_first && wall == Some(0) {
+                        return false;
+                    }
+                    (wall, is_first) = (None, false);
+                }
+            }
+        }
+        true
+    }
+}
+
+impl Stretchy {
+    fn is_share(&self) -> bool {
+        matches!(self.length, Length::Share(_))
+    }
+}
