@@ -31,6 +31,8 @@ pub mod score;
 
 pub mod update;
 
+pub mod facade;
+
 pub mod io;
 
 pub mod view;

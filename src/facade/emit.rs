@@ -3,23 +3,32 @@
 use super::labels::{Meaning, What, area};
 use super::plan::{Node, NodeId, Plan};
 use super::rules::{Length as RuleLength, Rules, Symbol};
+use super::search::Parsed;
 use super::stretch::{self, Giving, Length, Stretched, Stretchy};
 use super::{Layout, Side, Stretch};
 use crate::block;
 use crate::grammar::ast::{BinaryOp, Function};
 use crate::grammar::{is_primitive, is_reserved};
-use crate::graph::{Arg, Builder, Constant, Expr, Group, NodeIndex, Op, OpGraph, RuleName, Size, StartSize, Thing};
+use crate::graph::{
+    Alternative, Arg, Attribute, Builder, Constant, Expr, Group, NodeIndex, Op, OpGraph, RuleName, Size, Thing,
+};
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// The label of the rule for all of a facade.
-pub const FACADE: &str = "facade";
+/// The label of the rule for a facade, and that for the choice of several.
+const FACADE: &str = "facade";
+const FACADES: &str = "facades";
+
+/// The label of the rule for all of a facade, by its number from 0.
+pub fn facade_label(number: usize) -> String {
+    if number == 0 { FACADE.to_owned() } else { format!("{FACADE}_{}", number + 1) }
+}
 
 /// Rules of so many parts are rules of their own.
 const LARGE: usize = 4;
 
-/// A facade as a graph, before it is given a form.
+/// Facades as a graph, before they are given a form.
 pub struct Emitted {
     pub builder: Builder,
     pub constants: Vec<Constant>,
@@ -48,50 +57,43 @@ impl Depth {
     }
 }
 
-pub fn emit(layout: &Layout, plan: &Plan, rules: &Rules, meanings: &[Meaning], depth: Depth) -> Emitted {
-    let soft = (0..meanings.len()).filter(|label| meanings[*label].stretch == Stretch::Soft);
-    let wall = soft.max_by_key(|label| area(layout, *label)).unwrap_or(0) as u32;
-    emitter(layout, plan, rules, meanings, depth).whole(wall)
+/// One graph of several facades with one list of labels: a choice of them, by chance.
+pub fn emit(parsed: &[(Layout, Parsed)], meanings: &[Meaning], depth: Depth, variety: Variety) -> Emitted {
+    let labels = parsed.first().map_or([].as_slice(), |(layout, _)| layout.labels());
+    let mut shared = Shared::new(labels, meanings, depth, variety);
+    let wall = wall(parsed.iter().map(|(layout, _)| layout), meanings);
+    let roots: Vec<NodeIndex> = parsed.iter().map(|(layout, parsed)| shared.facade(layout.size(), parsed, wall)).collect();
+    for (number, root) in roots.iter().enumerate() {
+        shared.names.insert(number, (*root, facade_label(number), Vec::new()));
+    }
+    let root = shared.builder.choose(roots.iter().map(|root| (1.0, *root)));
+    if roots.iter().any(|facade| *facade != root) {
+        shared.names.insert(0, (root, FACADES.to_owned(), Vec::new()));
+    }
+    shared.emitted(root)
 }
 
-fn emitter<'p>(layout: &'p Layout, plan: &'p Plan, rules: &'p Rules, meanings: &'p [Meaning], depth: Depth) -> Emitter<'p> {
-    let stretch: Vec<Stretch> = meanings.iter().map(|meaning| meaning.stretch).collect();
-    let doors: Vec<bool> = meanings.iter().map(|meaning| matches!(meaning.what, What::Door { .. })).collect();
-    let giving = Giving::of(plan, &stretch, &doors);
-    Emitter {
-        plan,
-        rules,
-        giving,
-        meanings,
-        depth,
-        size: layout.size(),
-        labels: layout.labels(),
-        builder: Builder::default(),
-        constants: constants(layout.labels(), meanings),
-        leaves: BTreeMap::new(),
-        fixed: FxHashMap::default(),
-        elastic: FxHashMap::default(),
-        names: Vec::new(),
-    }
+/// The soft label that covers most.
+fn wall<'l>(layouts: impl Iterator<Item = &'l Layout> + Clone, meanings: &[Meaning]) -> u32 {
+    let soft = (0..meanings.len()).filter(|label| meanings[*label].stretch == Stretch::Soft);
+    soft.max_by_key(|label| layouts.clone().map(|layout| area(layout, *label)).sum::<u64>()).unwrap_or(0) as u32
 }
 
 /// What leaves of a label are, as a graph.
-pub fn emit_leaf(layout: &Layout, label: u32, meanings: &[Meaning], depth: Depth) -> OpGraph {
-    let plan = Plan { nodes: vec![Node::Leaf(label)], root: 0, size: layout.size() };
-    let rules = Rules::of(&plan, meanings.len());
-    let emitted = emitter(layout, &plan, &rules, meanings, depth).just(label);
-    let (root, [width, height]) = (emitted.root, layout.size());
-    emitted.finish(root, [width, height, depth.total()])
+pub fn emit_leaf(labels: &[String], label: u32, meanings: &[Meaning], depth: Depth) -> OpGraph {
+    let mut shared = Shared::new(labels, meanings, depth, Variety::None);
+    let root = shared.leaf(label);
+    let mut graph = shared.emitted(root).finish(root);
+    graph.sizes.clear();
+    graph
 }
 
 impl Emitted {
-    /// The graph with this root, for a start scope of this size.
-    pub fn finish(self, root: NodeIndex, size: [u32; 3]) -> OpGraph {
+    /// The graph with this root.
+    pub fn finish(self, root: NodeIndex) -> OpGraph {
         let Emitted { builder, constants, names, .. } = self;
         let (mut graph, numbers) = builder.finish(root);
         graph.constants = constants;
-        let size = size.map(|length| Expr::number(f64::from(length)));
-        graph.sizes = vec![StartSize { size, weight: Expr::number(1.0) }];
         let mut taken: BTreeMap<String, u32> = BTreeMap::new();
         for (node, name, params) in names {
             let Some(node) = numbers.get(&node).filter(|node| graph.name(**node).is_none()) else { continue };
@@ -143,21 +145,28 @@ fn free_name(label: &str, what: &What, taken: &[Constant]) -> String {
     own.into_iter().chain(numbered).find(is_free).unwrap_or_default()
 }
 
-struct Emitter<'p> {
-    plan: &'p Plan,
-    rules: &'p Rules,
-    giving: Giving,
+/// What the facades of a graph have in common.
+struct Shared<'p> {
+    labels: usize,
     meanings: &'p [Meaning],
     depth: Depth,
-    size: [u32; 2],
-    labels: &'p [String],
+    variety: Variety,
     builder: Builder,
     constants: Vec<Constant>,
     leaves: BTreeMap<u32, NodeIndex>,
+    names: Vec<(NodeIndex, String, Vec<String>)>,
+}
+
+/// One facade on its way to a graph.
+struct Emitter<'p, 's> {
+    shared: &'s mut Shared<'p>,
+    plan: &'p Plan,
+    rules: &'p Rules,
+    giving: Giving,
+    size: [u32; 2],
     /// Rules at the lengths that they were drawn with.
     fixed: FxHashMap<Symbol, NodeIndex>,
     elastic: FxHashMap<Place, NodeIndex>,
-    names: Vec<(NodeIndex, String, Vec<String>)>,
 }
 
 /// A node that takes other lengths along some axes: those that it was drawn with, and what fills gaps.
@@ -168,24 +177,57 @@ struct Place {
     wall: u32,
 }
 
-impl Emitter<'_> {
-    fn whole(mut self, wall: u32) -> Emitted {
-        let place = Place { node: self.plan.root, natural: self.size.map(Some), wall };
-        let root = self.elastic(place);
-        self.names.insert(0, (root, FACADE.to_owned(), Vec::new()));
-        self.emitted(root)
+impl<'p> Shared<'p> {
+    fn new(labels: &[String], meanings: &'p [Meaning], depth: Depth, variety: Variety) -> Shared<'p> {
+        let mut constants = constants(labels, meanings);
+        if variety == Variety::Exchanged {
+            constants.push(variety_constant());
+        }
+        let (builder, leaves, names) = (Builder::default(), BTreeMap::new(), Vec::new());
+        Shared { labels: labels.len(), meanings, depth, variety, builder, constants, leaves, names }
     }
 
-    fn just(mut self, label: u32) -> Emitted {
-        let root = self.leaf(label);
-        self.emitted(root)
+    fn facade(&mut self, size: [u32; 2], parsed: &'p Parsed, wall: u32) -> NodeIndex {
+        let stretch: Vec<Stretch> = self.meanings.iter().map(|meaning| meaning.stretch).collect();
+        let is_door = |meaning: &Meaning| matches!(meaning.what, What::Door { .. });
+        let doors: Vec<bool> = self.meanings.iter().map(is_door).collect();
+        let Parsed { plan, rules } = parsed;
+        let giving = Giving::of(plan, &stretch, &doors);
+        let (fixed, elastic) = (FxHashMap::default(), FxHashMap::default());
+        let mut emitter = Emitter { shared: self, plan, rules, giving, size, fixed, elastic };
+        emitter.elastic(Place { node: plan.root, natural: size.map(Some), wall })
     }
 
     fn emitted(self, root: NodeIndex) -> Emitted {
-        let Emitter { builder, constants, names, .. } = self;
+        let Shared { builder, constants, names, .. } = self;
         Emitted { builder, constants, root, names }
     }
+}
 
+/// How much of what was drawn may be exchanged.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Variety {
+    /// Every run gives what was drawn.
+    #[default]
+    None,
+    /// By chance, parts with windows stand in for others of their size beside them.
+    Exchanged,
+}
+
+/// What says how often parts are exchanged.
+pub const VARIETY: &str = "variety";
+
+fn variety_constant() -> Constant {
+    let about = "how often windows and storeys stand in for others of their size: at 0 never";
+    let attribute = Attribute {
+        range: Some([Expr::number(0.0), Expr::number(1.0)]),
+        group: None,
+        about: Some(about.to_owned()),
+    };
+    Constant { name: VARIETY.to_owned(), value: Expr::number(1.0), attribute: Some(attribute) }
+}
+
+impl Emitter<'_, '_> {
     fn elastic(&mut self, place: Place) -> NodeIndex {
         if place.natural == [None, None] {
             return self.fixed(self.rules.of[place.node]);
@@ -251,7 +293,7 @@ impl Emitter<'_> {
         let mut lengths: BTreeMap<u32, u32> = BTreeMap::new();
         for part in self.plan.parts(place.node) {
             if let Node::Leaf(label) = &self.plan.nodes[part.node]
-                && self.meanings[*label as usize].stretch == Stretch::Soft
+                && self.shared.meanings[*label as usize].stretch == Stretch::Soft
             {
                 *lengths.entry(*label).or_default() += part.length;
             }
@@ -270,18 +312,42 @@ impl Emitter<'_> {
             let (natural, wall) = place(part);
             let child = match part.node {
                 Some(node) => self.elastic(Place { node, natural, wall }),
-                None => self.leaf(wall),
+                None => self.shared.leaf(wall),
             };
             children.push((Arg::Size(size(axis, part.length)), child));
         }
+        if self.shared.variety == Variety::Exchanged {
+            self.exchange(split, &mut children);
+        }
         let groups = split.repeats.iter().map(|range| Group { children: range.clone() }).collect();
-        self.builder.node(Op::Split { axis: Expr::Axis(space_axis(axis)), snap: None, groups }, children)
+        self.shared.builder.node(Op::Split { axis: Expr::Axis(space_axis(axis)), snap: None, groups }, children)
+    }
+
+    /// Lets parts with windows stand in for others of their length in one split, as often as each was seen.
+    fn exchange(&mut self, split: &Stretched, children: &mut [(Arg, NodeIndex)]) {
+        let length = |at: usize| match split.parts[at].length {
+            Length::Whole { blocks, .. } => Some(blocks),
+            Length::Share(_) => None,
+        };
+        let may = |at: &usize| {
+            let node = split.parts[*at].node.filter(|node| self.giving.has_window[*node] && !self.giving.has_door[*node]);
+            node.is_some() && length(*at).is_some()
+        };
+        let places: Vec<usize> = (0..children.len()).filter(may).collect();
+        let own: Vec<NodeIndex> = children.iter().map(|(_, child)| *child).collect();
+        for at in &places {
+            let others: Vec<NodeIndex> =
+                places.iter().filter(|other| length(**other) == length(*at)).map(|other| own[*other]).collect();
+            if others.iter().any(|other| *other != own[*at]) {
+                children[*at].1 = self.shared.any_of(own[*at], &others);
+            }
+        }
     }
 
     /// A rule or a label at the lengths it was drawn with.
     fn fixed(&mut self, symbol: Symbol) -> NodeIndex {
         let rule = match symbol {
-            Symbol::Label(label) => return self.leaf(label),
+            Symbol::Label(label) => return self.shared.leaf(label),
             Symbol::Rule(rule) => rule,
         };
         if let Some(known) = self.fixed.get(&symbol) {
@@ -303,7 +369,7 @@ impl Emitter<'_> {
                 groups.push(Group { children: start..children.len() });
             }
         }
-        let node = self.builder.node(Op::Split { axis: Expr::Axis(space_axis(rule.axis)), snap: None, groups }, children);
+        let node = self.shared.builder.node(Op::Split { axis: Expr::Axis(space_axis(rule.axis)), snap: None, groups }, children);
         let plan_node = rules.of.iter().position(|known| *known == symbol).unwrap_or(0);
         self.name(node, plan_node, [0, 0]);
         self.fixed.insert(symbol, node);
@@ -321,12 +387,12 @@ impl Emitter<'_> {
             Side::X if is_wide(Side::X) => "storey".to_owned(),
             Side::Y if is_wide(Side::Y) => "column".to_owned(),
             _ => match self.main_label(plan_node) {
-                Some(label) if has_wall => format!("{}_bay", self.constants[label as usize].name),
-                Some(label) => format!("{}_frame", self.constants[label as usize].name),
+                Some(label) if has_wall => format!("{}_bay", self.shared.constants[label as usize].name),
+                Some(label) => format!("{}_frame", self.shared.constants[label as usize].name),
                 None => "bay".to_owned(),
             },
         };
-        self.names.push((node, noun, Vec::new()));
+        self.shared.names.push((node, noun, Vec::new()));
     }
 
     /// The hard label that takes most of a node.
@@ -337,6 +403,29 @@ impl Emitter<'_> {
             Node::Leaf(label) => Some(*label),
             Node::Split { .. } => self.main_label(longest.node),
         }
+    }
+}
+
+impl Shared<'_> {
+    /// Its own node, or one of all by chance.
+    fn any_of(&mut self, own: NodeIndex, all: &[NodeIndex]) -> NodeIndex {
+        let variety = || Box::new(Expr::Constant(self.labels));
+        let binary = |op, left: Box<Expr>, right: f64| Expr::Binary(op, left, Box::new(Expr::number(right)));
+        let kept = Expr::Binary(BinaryOp::Subtract, Box::new(Expr::number(1.0)), variety());
+        let mut counted: Vec<(NodeIndex, u32)> = Vec::new();
+        for node in all {
+            match counted.iter_mut().find(|(known, _)| known == node) {
+                Some((_, count)) => *count += 1,
+                None => counted.push((*node, 1)),
+            }
+        }
+        counted.sort_unstable();
+        let share = |count: u32| binary(BinaryOp::Divide, Box::new(binary(BinaryOp::Multiply, variety(), count.into())), all.len() as f64);
+        let weights = std::iter::once((kept, own)).chain(counted.into_iter().map(|(node, count)| (share(count), node)));
+        let alternatives = weights.map(|(weight, node)| (Arg::Alternative(Alternative::plain(weight)), node)).collect();
+        let node = self.builder.node(Op::Choose, alternatives);
+        self.names.push((node, "any".to_owned(), Vec::new()));
+        node
     }
 
     fn leaf(&mut self, label: u32) -> NodeIndex {

@@ -286,17 +286,18 @@ const OTHERS: [&str; 10] = [
 /// Deeper steps in a drawing are so many blocks in the building.
 const DEEPEST: i32 = 3;
 
-/// What the labels of a layout mean: what the user says, else what their names say, else something told apart.
+/// What the labels of layouts mean, which have one list of them: what the user says, else what their names say, else something told apart.
 /// `steps` says how many blocks before the walls the drawing puts each label, if it does.
 ///
 /// Where no label is soft, the one with the largest area is: something has to take the room that is left over.
-pub fn meant(layout: &Layout, said: &Meanings, steps: &[Option<i32>]) -> Meant {
+pub fn meant(layouts: &[Layout], said: &Meanings, steps: &[Option<i32>]) -> Meant {
+    let labels = layouts.first().map_or([].as_slice(), Layout::labels);
     let mut taken: Vec<(&[&str], usize)> = Vec::new();
     let mut meant = Meant { list: Vec::new(), guessed: Vec::new() };
-    for (number, label) in layout.labels().iter().enumerate() {
+    for (number, label) in labels.iter().enumerate() {
         let lower = label.to_lowercase();
         let word = WORDS.iter().find(|(word, ..)| lower.contains(word));
-        let unexplained = if spans(layout, number) { Stretch::Soft } else { Stretch::Hard };
+        let unexplained = if layouts.iter().any(|layout| spans(layout, number)) { Stretch::Soft } else { Stretch::Hard };
         let (_, names, offset, stretch) = word.copied().unwrap_or(("", &OTHERS, 0, unexplained));
         let next = match taken.iter_mut().find(|(list, _)| *list == names) {
             Some((_, next)) => next,
@@ -323,7 +324,7 @@ pub fn meant(layout: &Layout, said: &Meanings, steps: &[Option<i32>]) -> Meant {
         });
     }
     if meant.list.iter().all(|meaning| meaning.stretch != Stretch::Soft)
-        && let Some(wall) = (0..meant.list.len()).max_by_key(|label| area(layout, *label))
+        && let Some(wall) = (0..meant.list.len()).max_by_key(|label| layouts.iter().map(|layout| area(layout, *label)).sum::<u64>())
     {
         meant.list[wall].stretch = Stretch::Soft;
     }

@@ -91,6 +91,14 @@ impl Layout {
         &self.leaves
     }
 
+    /// The same with the labels of a longer list, in which all of its own are.
+    pub(super) fn relabelled(&self, labels: &[String]) -> Layout {
+        let number = |label: u32| labels.iter().position(|other| *other == self.labels[label as usize]).unwrap_or(0) as u32;
+        let numbers: Vec<u32> = (0..self.labels.len() as u32).map(number).collect();
+        let leaves = self.leaves.iter().map(|leaf| Leaf { label: numbers[leaf.label as usize], ..*leaf });
+        Layout { size: self.size, labels: labels.to_vec(), leaves: leaves.collect() }
+    }
+
     /// The same leaves with every line moved. Lines keep their order, and the two of a leaf stay apart.
     pub(super) fn moved(&self, lines: &[Vec<u32>; 2]) -> Layout {
         let at = |axis: usize, line: u32| lines[axis][line as usize];

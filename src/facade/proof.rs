@@ -24,7 +24,7 @@ pub fn reproduced(
     let (mut expected, mut made) = (Grid::new(size), Grid::new(size));
     place(graph, Bounds::of_size(size), library, &mut made)?;
     for label in 0..meanings.len() as u32 {
-        let alone = emit_leaf(layout, label, meanings, depth);
+        let alone = emit_leaf(layout.labels(), label, meanings, depth);
         for leaf in layout.leaves().iter().filter(|leaf| leaf.label == label) {
             place(&alone, bounds(&leaf.region, size.z), library, &mut expected)?;
         }

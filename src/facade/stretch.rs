@@ -19,8 +19,19 @@ pub struct Giving {
     pub repeats: [Vec<bool>; 2],
     /// Whether a window or the like is in it.
     pub has_window: Vec<bool>,
+    /// Whether some wall is in it: what has none is a part of something, such as a frame of its window.
+    pub has_wall: Vec<bool>,
     /// Whether a door is in it: buildings have no further one.
     pub has_door: Vec<bool>,
+}
+
+/// Where something comes again.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Again {
+    /// Among the parts of a split.
+    Here,
+    /// Among them or in one of them.
+    Anywhere,
 }
 
 /// A node stretches across the axis of its split if so much of it does: the rest then stands in walls.
@@ -37,14 +48,19 @@ impl Giving {
                     let (window, door) = (any(&giving.has_window), any(&giving.has_door));
                     let hard = [any(&giving.is_hard[0]), any(&giving.is_hard[1])];
                     let seen = items.iter().any(|item| item.times > 1);
-                    let along = (seen || any(&giving.stretches[axis.index()]), giving.comes_again(plan, number));
+                    let along = (seen || any(&giving.stretches[axis.index()]), giving.comes_again(plan, number, Again::Anywhere));
                     let other = axis.other().index();
-                    let across = (mostly(items, &giving.stretches[other]), mostly(items, &giving.repeats[other]));
+                    let anything = vec![true; number];
+                    let across = (
+                        mostly(items, &anything, &giving.stretches[other]),
+                        window && mostly(items, &giving.has_window, &giving.repeats[other]),
+                    );
                     for (side, (stretches, repeats)) in [(axis.index(), along), (other, across)] {
                         giving.stretches[side].push(stretches);
                         giving.repeats[side].push(repeats && stretches);
                         giving.is_hard[side].push(hard[side]);
                     }
+                    giving.has_wall.push(any(&giving.has_wall));
                     giving.has_window.push(window);
                     giving.has_door.push(door);
                 }
@@ -60,23 +76,25 @@ impl Giving {
             self.is_hard[axis].push(!is_soft);
             self.repeats[axis].push(false);
         }
+        self.has_wall.push(stretch == Stretch::Soft);
         self.has_window.push(stretch == Stretch::Hard);
         self.has_door.push(is_door);
     }
 
     /// Whether a split has a part with a window that stands in it more than once, or one in which that is so.
-    fn comes_again(&self, plan: &Plan, node: NodeId) -> bool {
+    fn comes_again(&self, plan: &Plan, node: NodeId, again: Again) -> bool {
         let Node::Split { axis, items } = &plan.nodes[node] else { return false };
         let nodes: Vec<NodeId> = plan.parts(node).map(|part| part.node).collect();
         let often = |node: &NodeId| nodes.iter().filter(|other| *other == node).count() > 1;
-        let again = |node: &NodeId| self.repeats[axis.index()][*node] || (self.has_window[*node] && often(node));
-        items.iter().any(|item| item.times > 1) || nodes.iter().any(again)
+        let inside = |node: &NodeId| again == Again::Anywhere && self.repeats[axis.index()][*node];
+        items.iter().any(|item| item.times > 1) || nodes.iter().any(|node| inside(node) || (self.has_window[*node] && often(node)))
     }
 }
 
-/// Whether that is so of most of a split, by length.
-fn mostly(items: &[Item], is_so: &[bool]) -> bool {
-    let parts = || items.iter().flat_map(|item| item.parts.iter().map(|part| (item.times * part.length, part.node)));
+/// Whether that is so of most of the parts of a split that count, by length.
+fn mostly(items: &[Item], counts: &[bool], is_so: &[bool]) -> bool {
+    let all = || items.iter().flat_map(|item| item.parts.iter().map(|part| (item.times * part.length, part.node)));
+    let parts = || all().filter(|(_, node)| counts[*node]);
     let all: u32 = parts().map(|(length, _)| length).sum();
     let those: u32 = parts().filter(|(_, node)| is_so[*node]).map(|(length, _)| length).sum();
     f64::from(those) >= MOST_OF_IT * f64::from(all)
@@ -121,8 +139,9 @@ pub fn stretched(plan: &Plan, giving: &Giving, node: NodeId) -> Option<Stretched
     let Node::Split { axis, items } = &plan.nodes[node] else { return None };
     let natural = items.iter().map(|item| item.times * item.parts.iter().map(|part| part.length).sum::<u32>()).sum();
     let seen = parts(plan, giving, *axis, node);
-    let grows = seen.repeats.is_empty() && !plan.parts(node).any(|part| giving.repeats[axis.index()][part.node]);
-    let grown = grows.then(|| grown(giving, *axis, &seen)).flatten();
+    // What comes again in a part leaves no room for further parts, unless those are of a kind.
+    let is_room = !plan.parts(node).any(|part| giving.repeats[axis.index()][part.node]) || giving.comes_again(plan, node, Again::Here);
+    let grown = (seen.repeats.is_empty() && is_room).then(|| grown(giving, *axis, &seen)).flatten();
     let candidates = grown.into_iter().chain([seen]).flat_map(|split| [split.clone(), split.stiff_inside()]);
     candidates.map(|split| split.with_fillers().guarded(giving, natural)).find(|split| split.holds(natural))
 }
@@ -132,9 +151,8 @@ pub fn stretched(plan: &Plan, giving: &Giving, node: NodeId) -> Option<Stretched
 fn parts(plan: &Plan, giving: &Giving, axis: Side, node: NodeId) -> Stretched {
     let (side, mut split) = (axis.index(), Stretched { parts: Vec::new(), repeats: Vec::new() });
     let Node::Split { items, .. } = &plan.nodes[node] else { return split };
-    let comes_often = items.iter().any(|item| item.times > 1);
-    let again = |node: NodeId| !comes_often && giving.repeats[side][node] && giving.stretches[side][node];
-    let gives = comes_often || plan.parts(node).any(|part| !giving.is_hard[side][part.node] || again(part.node));
+    let again = |node: NodeId| giving.repeats[side][node];
+    let gives = items.iter().any(|item| item.times > 1) || plan.parts(node).any(|part| !giving.is_hard[side][part.node] || again(part.node));
     for item in items {
         let start = split.parts.len();
         for part in &item.parts {
@@ -152,42 +170,66 @@ fn parts(plan: &Plan, giving: &Giving, axis: Side, node: NodeId) -> Stretched {
     split
 }
 
-/// With a part that comes again where there is room, though the layout shows it once: a window with the wall beside it, a
-/// storey with the wall below it. Of those that stand more than once the one nearest to the middle, and with it the one
-/// that mirrors it.
+/// With a part that comes again where there is room, though the layout shows no row of it: a window with the wall beside
+/// it, a storey with what lies below it. Best are those that are mirrored by another, which then comes again as well, then
+/// those that stand most often, then those nearest to the middle.
 fn grown(giving: &Giving, axis: Side, seen: &Stretched) -> Option<Stretched> {
-    let parts = &seen.parts;
-    let is_whole = |at: usize| matches!(parts[at].length, Length::Whole { .. });
-    let is_share = |at: usize| parts.get(at).is_some_and(|part| matches!(part.length, Length::Share(_)));
-    let may_come_again = |node: NodeId| giving.has_window[node] && !giving.has_door[node];
-    let often = |at: usize| parts.iter().filter(|part| part.node == parts[at].node).count();
-    let first = (0..parts.len()).find(|at| is_whole(*at));
-    let is_only = (0..parts.len()).filter(|at| is_whole(*at)).count() == 1;
-    // A ground floor that is like no other comes once.
-    let is_ground = |at: usize| axis == Side::Y && Some(at) == first && often(at) == 1 && !is_only;
-    let is_unit = |at: &usize| {
-        let has_wall = is_share(at.wrapping_sub(1)) || is_share(at + 1);
-        is_whole(*at) && has_wall && !is_ground(*at) && parts[*at].node.is_some_and(may_come_again)
+    let units: Vec<Unit> = (0..seen.parts.len()).filter_map(|at| unit(giving, axis, seen, at)).collect();
+    let mirror = |unit: &Unit| {
+        let range = seen.parts.len() - unit.range.end..seen.parts.len() - unit.range.start;
+        let lengths = |range: &Range<usize>| seen.parts[range.clone()].iter().map(|part| part.length).collect::<Vec<_>>();
+        let is_mirrored = lengths(&range).iter().rev().eq(&lengths(&unit.range));
+        (axis == Side::X && is_mirrored).then(|| units.iter().find(|other| other.range == range)).flatten()
     };
-    let middles = middles(parts);
-    let off = |at: usize| middles[at].abs();
-    let best = (0..parts.len()).filter(is_unit).max_by(|a, b| {
-        often(*a).cmp(&often(*b)).then(off(*b).total_cmp(&off(*a))).then(a.cmp(b))
+    let best = units.iter().max_by(|a, b| {
+        let (a_mirrored, b_mirrored) = (mirror(a).is_some(), mirror(b).is_some());
+        a_mirrored.cmp(&b_mirrored).then(a.often.cmp(&b.often)).then(b.off.abs().total_cmp(&a.off.abs())).then(a.at.cmp(&b.at))
     })?;
-    // The wall on the side of the middle goes with it, so that mirrored units mirror each other; with a storey that below.
-    let unit = |at: usize| {
-        let before = is_share(at.wrapping_sub(1)).then(|| at - 1..at + 1);
-        let after = is_share(at + 1).then(|| at..at + 2);
-        if axis == Side::Y || middles[at] > 0.0 { before.or(after) } else { after.or(before) }
-    };
-    let mirror = parts.len() - 1 - best;
-    let mut repeats: Vec<_> = unit(best).into_iter().collect();
-    if axis == Side::X && mirror != best && is_unit(&mirror) && parts[mirror].node == parts[best].node {
-        let apart = |a: &Range<usize>, b: &Range<usize>| a.end <= b.start || b.end <= a.start;
-        repeats.extend(unit(mirror).filter(|other| repeats.iter().all(|range| apart(range, other))));
-        repeats.sort_by_key(|range| range.start);
+    let mut repeats = vec![best.range.clone()];
+    let is_apart = |other: &&Unit| other.range.end <= best.range.start || best.range.end <= other.range.start;
+    repeats.extend(mirror(best).filter(is_apart).map(|other| other.range.clone()));
+    repeats.sort_by_key(|range| range.start);
+    Some(Stretched { parts: seen.parts.clone(), repeats })
+}
+
+/// Parts that may come again together.
+struct Unit {
+    /// The part with the window in it.
+    at: usize,
+    range: Range<usize>,
+    /// How often that part stands in its split.
+    often: usize,
+    /// How far it is from the middle, in blocks.
+    off: f64,
+}
+
+fn unit(giving: &Giving, axis: Side, seen: &Stretched, at: usize) -> Option<Unit> {
+    let parts = &seen.parts;
+    let has_window = |at: usize| parts[at].node.is_some_and(|node| giving.has_window[node]);
+    let has_door = |at: usize| parts[at].node.is_some_and(|node| giving.has_door[node]);
+    if !has_window(at) || has_door(at) {
+        return None;
     }
-    Some(Stretched { parts: parts.clone(), repeats })
+    let often = parts.iter().filter(|part| part.node == parts[at].node).count();
+    let is_first = !(0..at).any(has_window);
+    let is_only = (0..parts.len()).filter(|at| has_window(*at)).count() == 1;
+    // A ground floor that is like no other comes once.
+    if axis == Side::Y && is_first && often == 1 && !is_only {
+        return None;
+    }
+    let off = middles(parts)[at];
+    // What is between two of a kind belongs to them, whatever it is; else there has to be wall.
+    let separates = |other: usize| parts[other].is_share() || (often > 1 && giving_room(seen, other));
+    let before = at.checked_sub(1).filter(|other| !has_window(*other) && separates(*other)).map(|other| other..at + 1);
+    let after = Some(at + 1).filter(|other| *other < parts.len() && !has_window(*other) && separates(*other)).map(|other| at..other + 1);
+    // The wall on the side of the middle goes with it, so that mirrored units mirror each other; with a storey that below.
+    let range = if axis == Side::Y || off > 0.0 { before.or(after) } else { after.or(before) };
+    range.map(|range| Unit { at, range, often, off })
+}
+
+/// Whether a part stands between two others.
+fn giving_room(seen: &Stretched, at: usize) -> bool {
+    at > 0 && at + 1 < seen.parts.len()
 }
 
 /// How far the middle of each part is from the middle of all, in blocks.
@@ -253,19 +295,25 @@ impl Stretched {
         self
     }
 
-    /// The parts that are shown only where there is room, those that are shown first before the others.
+    /// The parts that are shown only where there is room, those that are shown first before the others. What stands wall to
+    /// wall without a wall is one thing: a frame is not shown without its window.
     fn levels(&self, giving: &Giving) -> Vec<Vec<usize>> {
         let has_share = |range: &Range<usize>| self.parts[range.clone()].iter().any(|part| part.is_share());
-        let is_free = |at: usize| self.repeats.iter().find(|range| range.contains(&at)).is_none_or(has_share);
+        let repeat = |at: usize| self.repeats.iter().position(|range| range.contains(&at));
+        let is_free = |at: usize| repeat(at).is_none_or(|repeat| has_share(&self.repeats[repeat]));
+        let is_bare = |at: usize| self.parts[at].node.is_some_and(|node| !giving.has_wall[node]);
+        let is_one = |a: &usize, b: &usize| a + 1 == *b && is_bare(*a) && is_bare(*b) && repeat(*a) == repeat(*b);
+        let shown: Vec<usize> = (0..self.parts.len()).filter(|at| !self.parts[*at].is_share() && is_free(*at)).collect();
         let middle = (self.parts.len() as i64) - 1;
-        let rank = |at: usize| {
-            let is_door = self.parts[at].node.is_some_and(|node| giving.has_door[node]);
-            if is_door { -1 } else { (2 * at as i64 - middle).abs() }
+        let rank = |things: &[usize]| {
+            let is_door = |at: &usize| self.parts[*at].node.is_some_and(|node| giving.has_door[node]);
+            let off = things.iter().map(|at| (2 * *at as i64 - middle).abs()).min().unwrap_or(0);
+            if things.iter().any(is_door) { -1 } else { off }
         };
-        let mut ranked: Vec<(i64, usize)> =
-            (0..self.parts.len()).filter(|at| !self.parts[*at].is_share() && is_free(*at)).map(|at| (rank(at), at)).collect();
+        let mut ranked: Vec<(i64, &[usize])> = shown.chunk_by(is_one).map(|things| (rank(things), things)).collect();
         ranked.sort_unstable();
-        ranked.chunk_by(|a, b| a.0 == b.0).map(|level| level.iter().map(|(_, at)| *at).collect()).collect()
+        let level = |level: &[(i64, &[usize])]| level.iter().flat_map(|(_, things)| things.iter().copied()).collect();
+        ranked.chunk_by(|a, b| a.0 == b.0).map(level).collect()
     }
 
     fn whole(&self, at: usize) -> u32 {
