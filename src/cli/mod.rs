@@ -9,6 +9,7 @@ mod crop;
 mod diff;
 mod encoding;
 mod explain;
+mod facade;
 mod failure;
 mod fix;
 mod fmt;

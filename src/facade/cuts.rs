@@ -157,6 +157,18 @@ pub struct Structures {
     forms: Vec<Form>,
 }
 
+/// Why a region has no structure.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stuck {
+    /// No straight line cuts this part of it.
+    NoCut(Region),
+    /// Cuts stand in cuts more than [`MOST_DEEP`] deep.
+    Deep,
+}
+
+/// Grammars have no more levels than about twice as many.
+const MOST_DEEP: usize = 100;
+
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 enum Form {
     Leaf(u32),
@@ -167,8 +179,15 @@ enum Form {
 impl Structures {
     /// # Errors
     ///
-    /// The smallest region found that no straight line cuts.
-    pub fn of(&mut self, cutter: &Cutter, region: &Region) -> Result<StructureId, Region> {
+    /// Where no straight line cuts a region, or they cut it too deep.
+    pub fn of(&mut self, cutter: &Cutter, region: &Region) -> Result<StructureId, Stuck> {
+        self.within(cutter, region, 0)
+    }
+
+    fn within(&mut self, cutter: &Cutter, region: &Region, depth: usize) -> Result<StructureId, Stuck> {
+        if depth > MOST_DEEP {
+            return Err(Stuck::Deep);
+        }
         if let Some(known) = self.of.get(region) {
             return Ok(*known);
         }
@@ -179,12 +198,12 @@ impl Structures {
                 for axis in Side::ALL {
                     let cuts = cutter.cuts(region, axis);
                     if !cuts.is_empty() {
-                        let parts_of = cutter.parts(region, axis, &cuts).map(|part| self.of(cutter, &part));
+                        let parts_of = cutter.parts(region, axis, &cuts).map(|part| self.within(cutter, &part, depth + 1));
                         parts[axis.index()] = parts_of.collect::<Result<_, _>>()?;
                     }
                 }
                 if parts.iter().all(Vec::is_empty) {
-                    return Err(*region);
+                    return Err(Stuck::NoCut(*region));
                 }
                 Form::Cut(parts)
             }
@@ -213,7 +232,11 @@ pub fn made_cuttable(layout: Layout, soft: &[bool]) -> Result<Layout, FacadeErro
     let mut layout = layout;
     for _ in 0..=MOST_DIVIDED {
         let cutter = Cutter::new(&layout)?;
-        let Err(stuck) = Structures::default().of(&cutter, &cutter.whole()) else { return Ok(layout) };
+        let stuck = match Structures::default().of(&cutter, &cutter.whole()) {
+            Ok(_) => return Ok(layout),
+            Err(Stuck::Deep) => return Err(FacadeError::Deep { most: MOST_DEEP }),
+            Err(Stuck::NoCut(region)) => region,
+        };
         let lines = Side::ALL.into_iter().flat_map(|axis| {
             let [low, high] = stuck.sides[axis.index()];
             (low + 1..high).map(move |line| (axis, line))

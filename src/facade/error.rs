@@ -23,6 +23,8 @@ pub enum FacadeError {
     TooLarge { blocks: f64, most: f64 },
     #[error("the layout has {} lines across and {} up, more than vox compares", .lines[0], .lines[1])]
     TooManyLines { lines: [usize; 2] },
+    #[error("the rectangles of the layout stand in one another more than {most} deep")]
+    Deep { most: usize },
     #[error(
         "no straight line divides what lies from ({}, {}) to ({}, {}) in blocks without cutting a window, a door or the like",
         .from[0], .from[1], .to[0], .to[1]

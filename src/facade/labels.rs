@@ -215,6 +215,17 @@ impl Meanings {
     }
 }
 
+/// Whether a label is wall by what is said of it, or else by its name.
+pub fn is_wall(label: &str, said: &Meanings) -> bool {
+    let own = said.of(label).and_then(|said| said.stretch);
+    own.or_else(|| word(label).map(|word| word.3)).is_some_and(|stretch| stretch == Stretch::Soft)
+}
+
+fn word(label: &str) -> Option<Word> {
+    let label = label.to_lowercase();
+    WORDS.iter().find(|(word, ..)| label.contains(word)).copied()
+}
+
 impl Said {
     fn is_about(&self, label: &str) -> bool {
         self.label.strip_suffix('*').map_or(self.label == label, |start| label.starts_with(start))
@@ -295,10 +306,9 @@ pub fn meant(layouts: &[Layout], said: &Meanings, steps: &[Option<i32>]) -> Mean
     let mut taken: Vec<(&[&str], usize)> = Vec::new();
     let mut meant = Meant { list: Vec::new(), guessed: Vec::new() };
     for (number, label) in labels.iter().enumerate() {
-        let lower = label.to_lowercase();
-        let word = WORDS.iter().find(|(word, ..)| lower.contains(word));
+        let word = word(label);
         let unexplained = if layouts.iter().any(|layout| spans(layout, number)) { Stretch::Soft } else { Stretch::Hard };
-        let (_, names, offset, stretch) = word.copied().unwrap_or(("", &OTHERS, 0, unexplained));
+        let (_, names, offset, stretch) = word.unwrap_or(("", &OTHERS, 0, unexplained));
         let next = match taken.iter_mut().find(|(list, _)| *list == names) {
             Some((_, next)) => next,
             None => {

@@ -32,7 +32,7 @@ pub use drawing::{Area, Drawing, Lined, Place};
 pub use emit::{Depth, VARIETY, Variety, facade_label};
 pub use error::FacadeError;
 pub use groups::{Counts, Groups};
-pub use labels::{LabelsError, LabelsProblem, Meaning, Meanings, Meant, Stretch, What, meant};
+pub use labels::{LabelsError, LabelsProblem, Meaning, Meanings, Meant, Stretch, What, is_wall, meant};
 pub use layout::{Layout, Leaf, Region, Side};
 pub use plan::{Node, Plan};
 pub use rules::{Length, Rule, RuleItem, Rules, Symbol};

@@ -116,6 +116,11 @@ impl<'l, 'g> Brushes<'l, 'g> {
 impl<'l> Brush<'l> {
     pub fn of(library: &'l Library, name: &Thing, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
         match (name, material) {
+            // A mesh is no blocks: what it is made of stands for it.
+            (Thing::File(file), material) if is_mesh(file) => {
+                let stone = Thing::Name("smooth_stone".to_owned());
+                block_of(material.unwrap_or(&stone)).map(Brush::Fill)
+            }
             (Thing::File(file), _) | (_, Some(Thing::File(file))) => {
                 library.get(file).map(Brush::Stamp).ok_or_else(|| Kind::NoFile(file.clone()))
             }
@@ -126,6 +131,11 @@ impl<'l> Brush<'l> {
             (_, Some(material)) => block_of(material).map(Brush::Fill),
         }
     }
+}
+
+/// Whether a file that a grammar names is a mesh, which stands in models and not among blocks.
+pub fn is_mesh(file: &str) -> bool {
+    file.get(file.len().saturating_sub(4)..).is_some_and(|ending| ending.eq_ignore_ascii_case(".obj"))
 }
 
 /// The boxes that a placement fills.
