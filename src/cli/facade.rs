@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// What only layouts are asked.
 #[derive(clap::Args)]
 #[command(next_help_heading = "Layouts of facades")]
-pub struct Args {
+pub struct LayoutArgs {
     /// The width of the facade in blocks, instead of a scale. Without either, the thinnest part is one block
     #[arg(long, value_name = "BLOCKS", conflicts_with = "scale", value_parser = clap::value_parser!(u32).range(1..=30_000))]
     width: Option<u32>,
@@ -69,10 +69,10 @@ enum RoofArg {
     Pyramid,
 }
 
-impl Args {
+impl LayoutArgs {
     /// Whether any of it was asked for.
     pub fn is_any(&self) -> bool {
-        let Args { width, labels, colours, depth, search, lines, building } = self;
+        let LayoutArgs { width, labels, colours, depth, search, lines, building } = self;
         width.is_some()
             || labels.is_some()
             || colours.is_some()
@@ -129,7 +129,7 @@ pub struct Task<'a> {
 }
 
 /// Learns a grammar of layouts, proves that it gives them and writes it; `None` where the files are no layouts.
-pub fn learn(args: &Args, task: &Task<'_>) -> Result<Option<()>, Failure> {
+pub fn learn(args: &LayoutArgs, task: &Task<'_>) -> Result<Option<()>, Failure> {
     let limits = task.limit.reading().limits;
     let files = task.paths.iter().map(|path| input::layout(path, limits.max_bytes)).collect::<Result<Vec<_>, _>>()?;
     let Some(layout) = files.iter().position(Option::is_some) else {
@@ -157,7 +157,8 @@ pub fn learn(args: &Args, task: &Task<'_>) -> Result<Option<()>, Failure> {
     write(task, &learnt).map(Some)
 }
 
-fn unread(path: &Path, error: &io::LayoutError) -> Failure {
+/// Why a layout could not be read, and what to do about it.
+pub fn unread(path: &Path, error: &io::LayoutError) -> Failure {
     let failure = Failure::of_file(&input::name(path), error);
     match error {
         io::LayoutError::NoColours => failure.hint("name a text with lines such as `#a0b1c2 = window`: `--colours colours.txt`"),
@@ -168,7 +169,7 @@ fn unread(path: &Path, error: &io::LayoutError) -> Failure {
     }
 }
 
-fn failure(args: &Args, task: &Task<'_>, error: &InferError) -> Failure {
+fn failure(args: &LayoutArgs, task: &Task<'_>, error: &InferError) -> Failure {
     match error {
         InferError::Facade { layout, error } => Failure::of_file(&input::name(&task.paths[*layout]), error),
         InferError::Labels(error) => {

@@ -56,7 +56,7 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t)]
     freedom: Freedom,
     #[command(flatten)]
-    layouts: facade::Args,
+    layouts: facade::LayoutArgs,
     #[command(flatten)]
     limit: Limit,
     /// Print what was learnt as JSON. The grammar then goes to a file only
