@@ -1,13 +1,13 @@
 //! `vox infer` of layouts: drawings of facades with labelled rectangles.
 
 use super::failure::Failure;
-use super::infer::{preamble, read_back};
+use super::infer::{count, preamble, read_back};
 use super::input::{self, Limit};
 use super::output::{self, Output};
 use super::report;
 use crate::facade::{
-    self, Drawing, Facade, Form, InferError, Learnt, Meanings, Method, Near, Options, Roof, VARIETY, Variety, facade_label,
-    is_wall,
+    self, Drawing, Facade, Form, InferError, Learnt, Meanings, Method, Near, Options, Roof, VARIETY, Variety,
+    facade_label, is_wall,
 };
 use crate::grammar;
 use crate::graph::{dot, lower, raise};
@@ -131,7 +131,8 @@ pub struct Task<'a> {
 /// Learns a grammar of layouts, proves that it gives them and writes it; `None` where the files are no layouts.
 pub fn learn(args: &LayoutArgs, task: &Task<'_>) -> Result<Option<()>, Failure> {
     let limits = task.limit.reading().limits;
-    let files = task.paths.iter().map(|path| input::layout(path, limits.max_bytes)).collect::<Result<Vec<_>, _>>()?;
+    let files =
+        task.paths.iter().map(|path| input::layout(path, limits.max_bytes)).collect::<Result<Vec<_>, _>>()?;
     let Some(layout) = files.iter().position(Option::is_some) else {
         return match args.is_any() {
             true => Err(Failure::new("no input is the layout of a facade, which the options are about")),
@@ -193,13 +194,23 @@ fn write(task: &Task<'_>, learnt: &Learnt) -> Result<(), Failure> {
     tell(task, learnt)
 }
 
-fn prove(task: &Task<'_>, learnt: &Learnt, number: usize, text: &str, library: &Library) -> Result<(), Failure> {
+fn prove(
+    task: &Task<'_>,
+    learnt: &Learnt,
+    number: usize,
+    text: &str,
+    library: &Library,
+) -> Result<(), Failure> {
     let fault = |problem: String| {
-        Failure::of_file(&input::name(&task.paths[number]), format!("the learnt grammar {problem}, which is a fault of vox"))
+        Failure::of_file(
+            &input::name(&task.paths[number]),
+            format!("the learnt grammar {problem}, which is a fault of vox"),
+        )
     };
     let checked = grammar::read(text).map_err(|_| fault("does not read back".to_owned()))?;
     let label = facade_label(number);
-    let mut graph = lower(&checked, Some(&label)).map_err(|error| fault(format!("has no `{label}`: {error}")))?;
+    let mut graph =
+        lower(&checked, Some(&label)).map_err(|error| fault(format!("has no `{label}`: {error}")))?;
     if graph.constants.iter().any(|constant| constant.name == VARIETY) {
         graph.set_constant(VARIETY, "0").map_err(|error| fault(error.to_string()))?;
     }
@@ -244,15 +255,15 @@ fn tell(task: &Task<'_>, learnt: &Learnt) -> Result<(), Failure> {
             ));
         }
         report::note(&format!(
-            "{} structures in {} groups; {} splits of {:.0} bits",
+            "{} structures in {} groups; {} of {:.0} bits",
             facade.counts.structures,
             facade.counts.groups,
-            facade.rules.list.len(),
+            count(facade.rules.list.len() as f64, "split"),
             facade.rules.length()
         ));
     }
-    let noun = if rules == 1 { "rule" } else { "rules" };
-    report::note(&format!("{rules} {noun}, {} blocks deep", learnt.depth.total()));
+    let deep = count(f64::from(learnt.depth.total()), "block");
+    report::note(&format!("{}, {deep} deep", count(rules as f64, "rule")));
     tell_guesses(learnt);
     Ok(())
 }
@@ -260,7 +271,8 @@ fn tell(task: &Task<'_>, learnt: &Learnt) -> Result<(), Failure> {
 /// Labels that nothing explains stand for blocks that can be told apart.
 fn tell_guesses(learnt: &Learnt) {
     let labels = learnt.facades.first().map_or([].as_slice(), |facade| facade.layout.labels());
-    let guessed: Vec<String> = learnt.meant.guessed.iter().map(|label| format!("`{}`", labels[*label])).collect();
+    let guessed: Vec<String> =
+        learnt.meant.guessed.iter().map(|label| format!("`{}`", labels[*label])).collect();
     if !guessed.is_empty() {
         report::note(&format!(
             "what {} may be their names do not tell: they are concrete, which `--labels` changes",

@@ -297,7 +297,7 @@ fn scores(outline: &Outline) -> String {
 }
 
 /// A number with its noun; a large one in words of ten.
-fn count(number: f64, noun: &str) -> String {
+pub fn count(number: f64, noun: &str) -> String {
     let plural = if number == 1.0 { "" } else { "s" };
     match number < 1e6 {
         true => format!("{number} {noun}{plural}"),

@@ -33,11 +33,15 @@ macro_rules! by_content {
 pub const BUILDINGS: &str = concat!(with_blocks!(), by_content!());
 
 /// What a command reads that takes labelled boxes and layouts of facades as well.
-pub const FILES: &str =
-    concat!(with_blocks!(), ", .obj of labelled boxes (`o name`), .xml or .png of a facade's layout", by_content!());
+pub const FILES: &str = concat!(
+    with_blocks!(),
+    ", .obj of labelled boxes (`o name`), .xml or .png of a facade's layout",
+    by_content!()
+);
 
 /// What can be drawn.
-pub const DRAWN: &str = concat!(with_blocks!(), ", .xml or .png of a facade's layout, or a .grammar", by_content!());
+pub const DRAWN: &str =
+    concat!(with_blocks!(), ", .xml or .png of a facade's layout, or a .grammar", by_content!());
 
 /// The files that the arguments name: a pattern that the shell left alone is looked up here.
 pub fn paths(args: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {

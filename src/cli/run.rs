@@ -259,7 +259,8 @@ fn make_blocks<'g>(
 ) -> Result<Building, Failure> {
     let Ready { program, library, models } = ready;
     let made = run::run_observed(&program.graph, library, &options(args, seed), observer(labels));
-    let mut grid = told(&program.sources, made.map_err(|error| input::run_failure(&program.sources, &error))?);
+    let mut grid =
+        told(&program.sources, made.map_err(|error| input::run_failure(&program.sources, &error))?);
     look(path, &grid);
     let mut tally = Tally::default();
     tally.blocks(&grid);
@@ -278,7 +279,12 @@ fn make_blocks<'g>(
 }
 
 /// The meshes of a building, in place of the blocks that stand for them.
-fn meshes<'r>(args: &Args, ready: &'r Ready, seed: u64, grid: &mut Grid) -> Result<Vec<PlacedModel<'r>>, Failure> {
+fn meshes<'r>(
+    args: &Args,
+    ready: &'r Ready,
+    seed: u64,
+    grid: &mut Grid,
+) -> Result<Vec<PlacedModel<'r>>, Failure> {
     let places = run::run_meshes(&ready.program.graph, &options(args, seed));
     let places = places.map_err(|error| input::run_failure(&ready.program.sources, &error))?;
     let place = |place: MeshPlace| {

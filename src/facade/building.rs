@@ -77,7 +77,8 @@ fn building(mut emitted: Emitted, roof: Roof, sizes: &[[u32; 3]], depth: Depth) 
     let thick = sizes.first().map_or(1, |size| size[2]);
     let plans = sizes.iter().map(|[width, height, _]| [width + 2 * out, *height, width + 2 * thick]);
     let plans: Vec<[u32; 3]> = plans.collect();
-    let rises: Vec<u32> = plans.iter().map(|[width, _, length]| roof.rise(width - 2 * out, length - 2 * out)).collect();
+    let rises: Vec<u32> =
+        plans.iter().map(|[width, _, length]| roof.rise(width - 2 * out, length - 2 * out)).collect();
     let rise = rises.iter().copied().max().unwrap_or(0);
     let walls = walls(&mut emitted.builder, facade, out, thick);
     let top = roof_over(&mut emitted.builder, roof, out);
@@ -96,7 +97,10 @@ fn walls(builder: &mut Builder, facade: NodeIndex, out: u32, thick: u32) -> Node
     let between = vec![(absolute(out), nil), (Size::floating(1.0), facade), (absolute(out), nil)];
     let across = if out == 0 { facade } else { builder.split(Expr::Axis(Axis::X), between) };
     let floor = builder.primitive(Expr::name(FLOOR));
-    let inside = builder.split(Expr::Axis(Axis::Y), vec![(absolute(1), floor), (Size::floating(1.0), nil), (absolute(1), floor)]);
+    let inside = builder.split(
+        Expr::Axis(Axis::Y),
+        vec![(absolute(1), floor), (Size::floating(1.0), nil), (absolute(1), floor)],
+    );
     let part = |face: Face, node: NodeIndex| (Arg::Part(Selector::On(vec![face])), node);
     let parts = vec![
         part(Face::Front, across),
@@ -116,7 +120,8 @@ fn roof_over(builder: &mut Builder, roof: Roof, out: u32) -> NodeIndex {
         None => {
             let floor = builder.primitive(Expr::name(FLOOR));
             let border = vec![(Arg::Part(Selector::Border), floor)];
-            let parapet = builder.node(Op::Carve { how: Carving::Offset, args: vec![Expr::number(1.0)] }, border);
+            let parapet =
+                builder.node(Op::Carve { how: Carving::Offset, args: vec![Expr::number(1.0)] }, border);
             builder.split(Expr::Axis(Axis::Y), vec![(absolute(1), floor), (Size::floating(1.0), parapet)])
         }
     };

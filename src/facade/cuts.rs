@@ -36,7 +36,9 @@ impl Cutter {
             return Err(FacadeError::TooManyLines { lines: [columns + 1, rows + 1] });
         }
         let number = |axis: usize, at: u32| lines[axis].partition_point(|line| *line < at) as u32;
-        let numbered = |region: &Region| Region { sides: [0, 1].map(|axis| region.sides[axis].map(|at| number(axis, at))) };
+        let numbered = |region: &Region| Region {
+            sides: [0, 1].map(|axis| region.sides[axis].map(|at| number(axis, at))),
+        };
         let leaves: Vec<Region> = layout.leaves().iter().map(|leaf| numbered(&leaf.region)).collect();
         let mut owners = vec![0; columns * rows];
         for (number, leaf) in leaves.iter().enumerate() {
@@ -136,7 +138,12 @@ impl Cutter {
     }
 
     /// The parts of a region between lines across `axis`.
-    pub fn parts<'c>(&self, region: &Region, axis: Side, cuts: &'c [u32]) -> impl Iterator<Item = Region> + use<'c> {
+    pub fn parts<'c>(
+        &self,
+        region: &Region,
+        axis: Side,
+        cuts: &'c [u32],
+    ) -> impl Iterator<Item = Region> + use<'c> {
         let [low, high] = region.sides[axis.index()];
         let region = *region;
         let lows = std::iter::once(low).chain(cuts.iter().copied());
@@ -198,7 +205,9 @@ impl Structures {
                 for axis in Side::ALL {
                     let cuts = cutter.cuts(region, axis);
                     if !cuts.is_empty() {
-                        let parts_of = cutter.parts(region, axis, &cuts).map(|part| self.within(cutter, &part, depth + 1));
+                        let parts_of = cutter
+                            .parts(region, axis, &cuts)
+                            .map(|part| self.within(cutter, &part, depth + 1));
                         parts[axis.index()] = parts_of.collect::<Result<_, _>>()?;
                     }
                 }
@@ -217,7 +226,8 @@ impl Structures {
         Ok(id)
     }
 
-    pub fn len(&self) -> usize {
+    /// How many structures there are.
+    pub fn count(&self) -> usize {
         self.forms.len()
     }
 }
@@ -243,9 +253,11 @@ pub fn made_cuttable(layout: Layout, soft: &[bool]) -> Result<Layout, FacadeErro
         });
         let cut = lines.map(|(axis, line)| (cutter.cut_leaves(&stuck, axis, line), axis, line));
         let is_soft = |leaf: &usize| soft[cutter.label(*leaf) as usize];
-        let best = cut.filter(|(leaves, ..)| leaves.iter().all(is_soft)).min_by_key(|(leaves, ..)| leaves.len());
+        let best =
+            cut.filter(|(leaves, ..)| leaves.iter().all(is_soft)).min_by_key(|(leaves, ..)| leaves.len());
         let Some((leaves, axis, line)) = best else {
-            let [from, to] = [0, 1].map(|end| Side::ALL.map(|axis| cutter.place(axis, stuck.sides[axis.index()][end])));
+            let [from, to] =
+                [0, 1].map(|end| Side::ALL.map(|axis| cutter.place(axis, stuck.sides[axis.index()][end])));
             return Err(FacadeError::NoCut { from, to });
         };
         layout = layout.divided(&leaves, axis, cutter.place(axis, line));

@@ -68,7 +68,8 @@ impl Drawing {
             ends.fold(first.sides[axis], |[low, high], [l, h]| [low.min(l), high.max(h)])
         };
         let longest = [span(0), span(1)].map(|[low, high]| high - low).into_iter().fold(0.0, f64::max);
-        let lines = [0, 1].map(|axis| lines(self.areas.iter().flat_map(|area| area.sides[axis]), NOISE * longest));
+        let lines =
+            [0, 1].map(|axis| lines(self.areas.iter().flat_map(|area| area.sides[axis]), NOISE * longest));
         let mut labels: Vec<String> = Vec::new();
         let mut leaves = Vec::with_capacity(self.areas.len());
         for area in &self.areas {

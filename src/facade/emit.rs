@@ -10,7 +10,8 @@ use crate::block;
 use crate::grammar::ast::{BinaryOp, Function};
 use crate::grammar::{is_primitive, is_reserved};
 use crate::graph::{
-    Alternative, Arg, Attribute, Builder, Constant, Expr, Group, NodeIndex, Op, OpGraph, RuleName, Size, Thing,
+    Alternative, Arg, Attribute, Builder, Constant, Expr, Group, NodeIndex, Op, OpGraph, RuleName, Size,
+    Thing,
 };
 use crate::space::Axis;
 use rustc_hash::FxHashMap;
@@ -62,7 +63,8 @@ pub fn emit(parsed: &[(Layout, Parsed)], meanings: &[Meaning], depth: Depth, var
     let labels = parsed.first().map_or([].as_slice(), |(layout, _)| layout.labels());
     let mut shared = Shared::new(labels, meanings, depth, variety);
     let wall = wall(parsed.iter().map(|(layout, _)| layout), meanings);
-    let roots: Vec<NodeIndex> = parsed.iter().map(|(layout, parsed)| shared.facade(layout.size(), parsed, wall)).collect();
+    let roots: Vec<NodeIndex> =
+        parsed.iter().map(|(layout, parsed)| shared.facade(layout.size(), parsed, wall)).collect();
     for (number, root) in roots.iter().enumerate() {
         shared.names.insert(number, (*root, facade_label(number), Vec::new()));
     }
@@ -76,7 +78,8 @@ pub fn emit(parsed: &[(Layout, Parsed)], meanings: &[Meaning], depth: Depth, var
 /// The soft label that covers most.
 fn wall<'l>(layouts: impl Iterator<Item = &'l Layout> + Clone, meanings: &[Meaning]) -> u32 {
     let soft = (0..meanings.len()).filter(|label| meanings[*label].stretch == Stretch::Soft);
-    soft.max_by_key(|label| layouts.clone().map(|layout| area(layout, *label)).sum::<u64>()).unwrap_or(0) as u32
+    soft.max_by_key(|label| layouts.clone().map(|layout| area(layout, *label)).sum::<u64>()).unwrap_or(0)
+        as u32
 }
 
 /// What leaves of a label are, as a graph.
@@ -98,7 +101,8 @@ impl Emitted {
         for (node, name, params) in names {
             let Some(node) = numbers.get(&node).filter(|node| graph.name(**node).is_none()) else { continue };
             // Small rules that stand in one place are read there.
-            let is_small = graph.children(*node).count() < LARGE && !graph.is_shared(*node) && *node != graph.root();
+            let is_small =
+                graph.children(*node).count() < LARGE && !graph.is_shared(*node) && *node != graph.root();
             if is_small && params.is_empty() {
                 continue;
             }
@@ -117,7 +121,9 @@ fn constants(labels: &[String], meanings: &[Meaning]) -> Vec<Constant> {
     for (label, meaning) in labels.iter().zip(meanings) {
         let value = match &meaning.what {
             What::Thing(thing) | What::Mesh { block: thing, .. } => Expr::Thing(thing.clone()),
-            What::Shape { material, .. } => Expr::Thing(material.clone().unwrap_or(Thing::Name("stone_bricks".to_owned()))),
+            What::Shape { material, .. } => {
+                Expr::Thing(material.clone().unwrap_or(Thing::Name("stone_bricks".to_owned())))
+            }
             What::Door { wood } => Expr::name(wood.as_str()),
             What::Nothing => Expr::name("air"),
         };
@@ -138,7 +144,10 @@ fn free_name(label: &str, what: &What, taken: &[Constant]) -> String {
     let is_itself = matches!((base, what), ("window", What::Thing(_)) | ("door", What::Door { .. }));
     let is_free = |name: &String| {
         let is_else = is_primitive(name) && !is_itself;
-        !is_reserved(name) && !is_else && block::known(name).is_none() && taken.iter().all(|known| known.name != *name)
+        !is_reserved(name)
+            && !is_else
+            && block::known(name).is_none()
+            && taken.iter().all(|known| known.name != *name)
     };
     let numbered = (2..).map(|number| format!("{name}_{number}"));
     let own = [name.clone(), format!("{name}_label")];
@@ -242,7 +251,9 @@ impl Emitter<'_, '_> {
 
     fn make_elastic(&mut self, place: Place) -> NodeIndex {
         let stiff = Side::ALL.into_iter().find(|axis| {
-            place.natural[axis.index()].is_some() && !self.giving.stretches[axis.index()][place.node] && !self.must_stretch(place, *axis)
+            place.natural[axis.index()].is_some()
+                && !self.giving.stretches[axis.index()][place.node]
+                && !self.must_stretch(place, *axis)
         });
         if let Some(axis) = stiff {
             return self.walled(place, axis);
@@ -298,7 +309,10 @@ impl Emitter<'_, '_> {
                 *lengths.entry(*label).or_default() += part.length;
             }
         }
-        lengths.into_iter().max_by_key(|(label, length)| (*length, std::cmp::Reverse(*label))).map_or(place.wall, |(label, _)| label)
+        lengths
+            .into_iter()
+            .max_by_key(|(label, length)| (*length, std::cmp::Reverse(*label)))
+            .map_or(place.wall, |(label, _)| label)
     }
 
     fn split(
@@ -320,7 +334,9 @@ impl Emitter<'_, '_> {
             self.exchange(split, &mut children);
         }
         let groups = split.repeats.iter().map(|range| Group { children: range.clone() }).collect();
-        self.shared.builder.node(Op::Split { axis: Expr::Axis(space_axis(axis)), snap: None, groups }, children)
+        self.shared
+            .builder
+            .node(Op::Split { axis: Expr::Axis(space_axis(axis)), snap: None, groups }, children)
     }
 
     /// Lets parts with windows stand in for others of their length in one split, as often as each was seen.
@@ -330,14 +346,19 @@ impl Emitter<'_, '_> {
             Length::Share(_) => None,
         };
         let may = |at: &usize| {
-            let node = split.parts[*at].node.filter(|node| self.giving.has_window[*node] && !self.giving.has_door[*node]);
+            let node = split.parts[*at]
+                .node
+                .filter(|node| self.giving.has_window[*node] && !self.giving.has_door[*node]);
             node.is_some() && length(*at).is_some()
         };
         let places: Vec<usize> = (0..children.len()).filter(may).collect();
         let own: Vec<NodeIndex> = children.iter().map(|(_, child)| *child).collect();
         for at in &places {
-            let others: Vec<NodeIndex> =
-                places.iter().filter(|other| length(**other) == length(*at)).map(|other| own[*other]).collect();
+            let others: Vec<NodeIndex> = places
+                .iter()
+                .filter(|other| length(**other) == length(*at))
+                .map(|other| own[*other])
+                .collect();
             if others.iter().any(|other| *other != own[*at]) {
                 children[*at].1 = self.shared.any_of(own[*at], &others);
             }
@@ -369,7 +390,10 @@ impl Emitter<'_, '_> {
                 groups.push(Group { children: start..children.len() });
             }
         }
-        let node = self.shared.builder.node(Op::Split { axis: Expr::Axis(space_axis(rule.axis)), snap: None, groups }, children);
+        let node = self
+            .shared
+            .builder
+            .node(Op::Split { axis: Expr::Axis(space_axis(rule.axis)), snap: None, groups }, children);
         let plan_node = rules.of.iter().position(|known| *known == symbol).unwrap_or(0);
         self.name(node, plan_node, [0, 0]);
         self.fixed.insert(symbol, node);
@@ -420,9 +444,17 @@ impl Shared<'_> {
             }
         }
         counted.sort_unstable();
-        let share = |count: u32| binary(BinaryOp::Divide, Box::new(binary(BinaryOp::Multiply, variety(), count.into())), all.len() as f64);
-        let weights = std::iter::once((kept, own)).chain(counted.into_iter().map(|(node, count)| (share(count), node)));
-        let alternatives = weights.map(|(weight, node)| (Arg::Alternative(Alternative::plain(weight)), node)).collect();
+        let share = |count: u32| {
+            binary(
+                BinaryOp::Divide,
+                Box::new(binary(BinaryOp::Multiply, variety(), count.into())),
+                all.len() as f64,
+            )
+        };
+        let weights =
+            std::iter::once((kept, own)).chain(counted.into_iter().map(|(node, count)| (share(count), node)));
+        let alternatives =
+            weights.map(|(weight, node)| (Arg::Alternative(Alternative::plain(weight)), node)).collect();
         let node = self.builder.node(Op::Choose, alternatives);
         self.names.push((node, "any".to_owned(), Vec::new()));
         node
@@ -450,19 +482,31 @@ impl Shared<'_> {
                 _ => {
                     let own = self.builder.primitive(Expr::Param(0));
                     let body = self.at_depth(own, before, is_pane);
-                    let word = if is_pane { "set_back" } else if meaning.offset > 0 { "set_out" } else { "flush" };
+                    let word = if is_pane {
+                        "set_back"
+                    } else if meaning.offset > 0 {
+                        "set_out"
+                    } else {
+                        "flush"
+                    };
                     self.names.push((body, word.to_owned(), vec!["what".to_owned()]));
                     self.builder.node(Op::Call(vec![material]), vec![(Arg::None, body)])
                 }
             },
             What::Shape { name, .. } => {
-                let op = Op::Primitive { name: Expr::name(name.as_str()), material: Some(material), options: Vec::new() };
+                let op = Op::Primitive {
+                    name: Expr::name(name.as_str()),
+                    material: Some(material),
+                    options: Vec::new(),
+                };
                 let own = self.builder.node(op, Vec::new());
                 self.at_depth(own, before, is_pane)
             }
             What::Mesh { file, .. } => {
                 let name = Expr::Thing(Thing::File(file.clone()));
-                let own = self.builder.node(Op::Primitive { name, material: Some(material), options: Vec::new() }, Vec::new());
+                let own = self
+                    .builder
+                    .node(Op::Primitive { name, material: Some(material), options: Vec::new() }, Vec::new());
                 self.at_depth(own, before, is_pane)
             }
             What::Door { .. } => {
@@ -477,8 +521,10 @@ impl Shared<'_> {
     /// So many blocks behind the front; as a pane, with nothing behind it.
     fn at_depth(&mut self, own: NodeIndex, before: u32, is_pane: bool) -> NodeIndex {
         let nil = self.builder.nil();
-        let left = Expr::Binary(BinaryOp::Subtract, Box::new(Expr::ScopeSize(Axis::Z)), Box::new(Expr::number(1.0)));
-        let front = (Size::absolute(Expr::Call(Function::Min, vec![Expr::number(f64::from(before)), left])), nil);
+        let left =
+            Expr::Binary(BinaryOp::Subtract, Box::new(Expr::ScopeSize(Axis::Z)), Box::new(Expr::number(1.0)));
+        let front =
+            (Size::absolute(Expr::Call(Function::Min, vec![Expr::number(f64::from(before)), left])), nil);
         let one = Size::absolute(Expr::number(1.0));
         let parts = match (is_pane, before) {
             (false, 0) => return own,
@@ -492,25 +538,48 @@ impl Shared<'_> {
     /// A door two blocks high and one or two wide, in the middle of the floor; all around it its planks. Too low a leaf is
     /// all planks.
     fn door(&mut self, wood: Expr) -> NodeIndex {
-        let op = |name: &str| Op::Primitive { name: Expr::name(name), material: Some(wood.clone()), options: Vec::new() };
-        let (door, planks) = (self.builder.node(op("door"), Vec::new()), self.builder.node(op("cuboid"), Vec::new()));
+        let op = |name: &str| Op::Primitive {
+            name: Expr::name(name),
+            material: Some(wood.clone()),
+            options: Vec::new(),
+        };
+        let (door, planks) =
+            (self.builder.node(op("door"), Vec::new()), self.builder.node(op("cuboid"), Vec::new()));
         let number = Expr::number;
         let binary = |op, left: Expr, right: Expr| Expr::Binary(op, Box::new(left), Box::new(right));
-        let height = binary(BinaryOp::Multiply, number(2.0), binary(BinaryOp::GreaterEqual, Expr::ScopeSize(Axis::Y), number(2.0)));
-        let width = binary(BinaryOp::Subtract, number(2.0), binary(BinaryOp::Remainder, Expr::ScopeSize(Axis::X), number(2.0)));
-        let column = self.builder.split(Expr::Axis(Axis::Y), vec![(Size::absolute(height), door), (Size::floating(1.0), planks)]);
+        let height = binary(
+            BinaryOp::Multiply,
+            number(2.0),
+            binary(BinaryOp::GreaterEqual, Expr::ScopeSize(Axis::Y), number(2.0)),
+        );
+        let width = binary(
+            BinaryOp::Subtract,
+            number(2.0),
+            binary(BinaryOp::Remainder, Expr::ScopeSize(Axis::X), number(2.0)),
+        );
+        let column = self
+            .builder
+            .split(Expr::Axis(Axis::Y), vec![(Size::absolute(height), door), (Size::floating(1.0), planks)]);
         let floating = Size::floating(1.0);
-        self.builder.split(Expr::Axis(Axis::X), vec![(floating.clone(), planks), (Size::absolute(width), column), (floating, planks)])
+        self.builder.split(
+            Expr::Axis(Axis::X),
+            vec![(floating.clone(), planks), (Size::absolute(width), column), (floating, planks)],
+        )
     }
 }
 
 /// A split at its own lengths.
 fn as_drawn(plan: &Plan, node: NodeId) -> Stretched {
-    let Node::Split { items, .. } = &plan.nodes[node] else { return Stretched { parts: Vec::new(), repeats: Vec::new() } };
+    let Node::Split { items, .. } = &plan.nodes[node] else {
+        return Stretched { parts: Vec::new(), repeats: Vec::new() };
+    };
     let mut split = Stretched { parts: Vec::new(), repeats: Vec::new() };
     for item in items {
         let start = split.parts.len();
-        let part = |part: &super::plan::Part| Stretchy { node: Some(part.node), length: Length::Whole { blocks: part.length, from: 0 } };
+        let part = |part: &super::plan::Part| Stretchy {
+            node: Some(part.node),
+            length: Length::Whole { blocks: part.length, from: 0 },
+        };
         split.parts.extend(item.parts.iter().map(part));
         if item.times > 1 {
             split.repeats.push(start..split.parts.len());
@@ -529,11 +598,17 @@ fn space_axis(axis: Side) -> Axis {
 fn size(axis: Side, length: Length) -> Size {
     match length {
         Length::Share(share) => Size::floating(share),
-        Length::Whole { blocks, from } if from <= blocks && from == 0 => Size::absolute(Expr::number(f64::from(blocks))),
+        Length::Whole { blocks, from } if from <= blocks && from == 0 => {
+            Size::absolute(Expr::number(f64::from(blocks)))
+        }
         Length::Whole { blocks, from } => {
             let scope = Box::new(Expr::ScopeSize(space_axis(axis)));
             let fits = Expr::Binary(BinaryOp::GreaterEqual, scope, Box::new(Expr::number(f64::from(from))));
-            Size::absolute(Expr::Binary(BinaryOp::Multiply, Box::new(Expr::number(f64::from(blocks))), Box::new(fits)))
+            Size::absolute(Expr::Binary(
+                BinaryOp::Multiply,
+                Box::new(Expr::number(f64::from(blocks))),
+                Box::new(fits),
+            ))
         }
     }
 }

@@ -37,7 +37,8 @@ fn greedy<T: Clone + PartialEq>(sequence: &[T]) -> Vec<Run<T>> {
     let mut at = 0;
     while at < sequence.len() {
         let rest = &sequence[at..];
-        let repeat = (1..=GREEDY.min(rest.len())).map(|len| (len, times(rest, len))).find(|(_, times)| *times > 1);
+        let repeat =
+            (1..=GREEDY.min(rest.len())).map(|len| (len, times(rest, len))).find(|(_, times)| *times > 1);
         let (len, times) = repeat.unwrap_or((1, 1));
         runs.push(Run { times: times as u32, unit: rest[..len].to_vec() });
         at += len * times;
@@ -97,7 +98,8 @@ mod tests {
 
     #[test]
     fn the_patterns_of_seed_4_are_found() {
-        for (text, expected) in [("AAA", "3(A)"), ("ABAB", "2(AB)"), ("ABCABC", "2(ABC)"), ("BAAA", "B 3(A)")] {
+        for (text, expected) in [("AAA", "3(A)"), ("ABAB", "2(AB)"), ("ABCABC", "2(ABC)"), ("BAAA", "B 3(A)")]
+        {
             assert_eq!(told(text, Folding::Greedy), expected);
             assert_eq!(told(text, Folding::Shortest), expected);
         }

@@ -6,7 +6,11 @@ use super::plan::Decision;
 use super::{Region, Side};
 
 /// All lines across the axis along which more repeats; storeys come first where both are alike.
-pub fn decision(cutter: &Cutter, region: &Region, structure: &mut impl FnMut(&Region) -> StructureId) -> Decision {
+pub fn decision(
+    cutter: &Cutter,
+    region: &Region,
+    structure: &mut impl FnMut(&Region) -> StructureId,
+) -> Decision {
     let mut gain = |axis: Side| {
         let cuts = cutter.cuts(region, axis);
         let ids: Vec<StructureId> = cutter.parts(region, axis, &cuts).map(|part| structure(&part)).collect();
@@ -14,6 +18,7 @@ pub fn decision(cutter: &Cutter, region: &Region, structure: &mut impl FnMut(&Re
         (!cuts.is_empty(), ids.len() - said, cuts.len())
     };
     let (across, up) = (gain(Side::X), gain(Side::Y));
-    let (axis, lines) = if up.0 && (!across.0 || up.1 >= across.1) { (Side::Y, up.2) } else { (Side::X, across.2) };
+    let (axis, lines) =
+        if up.0 && (!across.0 || up.1 >= across.1) { (Side::Y, up.2) } else { (Side::X, across.2) };
     Decision { axis, lines: (0..lines as u16).collect() }
 }

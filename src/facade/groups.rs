@@ -54,7 +54,7 @@ impl Groups {
                 }
             }
         }
-        let mut times = vec![0; structures.len()];
+        let mut times = vec![0; structures.count()];
         list.iter().for_each(|group| times[group.structure as usize] += 1);
         Groups { list, times, is_cut_short }
     }
@@ -82,13 +82,15 @@ pub struct Counts {
     pub repeated: usize,
 }
 
+type SideOf = (Side, bool, u32, [u32; 2]);
+
 #[derive(Default)]
 struct Finder {
     seen: FxHashSet<Region>,
     /// Groups by their number of leaves.
     by_size: Vec<Vec<Region>>,
     /// Groups by a side that another may share: its axis, whether it is the high one, where it stands and its ends.
-    by_side: FxHashMap<(Side, bool, u32, [u32; 2]), Vec<(Region, u32)>>,
+    by_side: FxHashMap<SideOf, Vec<(Region, u32)>>,
 }
 
 impl Finder {

@@ -30,11 +30,19 @@ pub enum What {
     /// A block, a schematic, or a mix of blocks.
     Thing(Thing),
     /// A primitive of the language, of a material.
-    Shape { name: String, material: Option<Thing> },
+    Shape {
+        name: String,
+        material: Option<Thing>,
+    },
     /// A door that stands whole in the middle of its leaf, in a frame.
-    Door { wood: String },
+    Door {
+        wood: String,
+    },
     /// An OBJ mesh that fills the leaf; where blocks are written, the block stands for it.
-    Mesh { file: String, block: Thing },
+    Mesh {
+        file: String,
+        block: Thing,
+    },
     Nothing,
 }
 
@@ -121,7 +129,8 @@ fn said(line: &str, number: usize) -> Result<Said, LabelsProblem> {
     let what = what(fields.next().ok_or(LabelsProblem::NoLine)?)?;
     let mut said = Said { line: number, label, what, offset: None, stretch: None };
     for field in fields {
-        let blocks = |text: &str| text.trim().parse().ok().filter(|blocks: &i32| (0..=FARTHEST).contains(blocks));
+        let blocks =
+            |text: &str| text.trim().parse().ok().filter(|blocks: &i32| (0..=FARTHEST).contains(blocks));
         let unknown = || LabelsProblem::NoProperty(field.to_owned());
         match field.split_once(' ').unwrap_or((field, "")) {
             ("back", text) => said.offset = Some(-blocks(text).ok_or_else(unknown)?),
@@ -163,13 +172,18 @@ fn what(text: &str) -> Result<What, LabelsProblem> {
     if let Some(file) = head.strip_prefix('"').and_then(|head| head.strip_suffix('"')) {
         let is_mesh = file.to_ascii_lowercase().ends_with(".obj");
         return Ok(match is_mesh {
-            true => What::Mesh { file: file.to_owned(), block: material.unwrap_or_else(|| Thing::Name("smooth_stone".to_owned())) },
+            true => What::Mesh {
+                file: file.to_owned(),
+                block: material.unwrap_or_else(|| Thing::Name("smooth_stone".to_owned())),
+            },
             false => What::Thing(Thing::File(file.to_owned())),
         });
     }
     match head {
         "nil" | "air" => Ok(What::Nothing),
-        "door" => Ok(What::Door { wood: material.map_or_else(|| "oak".to_owned(), |thing| thing.text().to_owned()) }),
+        "door" => Ok(What::Door {
+            wood: material.map_or_else(|| "oak".to_owned(), |thing| thing.text().to_owned()),
+        }),
         _ if is_primitive(head) => Ok(What::Shape { name: head.to_owned(), material }),
         _ => Ok(What::Thing(thing(head)?)),
     }
@@ -204,7 +218,10 @@ impl Meanings {
             None => Ok(()),
             Some(said) => {
                 let close = closest(&said.label, labels.iter().map(String::as_str)).map(str::to_owned);
-                Err(LabelsError { line: said.line, problem: LabelsProblem::NoLabel { label: said.label.clone(), close } })
+                Err(LabelsError {
+                    line: said.line,
+                    problem: LabelsProblem::NoLabel { label: said.label.clone(), close },
+                })
             }
         }
     }
@@ -264,7 +281,19 @@ const WORDS: [Word; 23] = [
     ("ornament", &["chiseled_stone_bricks", "chiseled_quartz_block"], 1, Stretch::Hard),
     ("roof", &["deepslate_tiles", "dark_oak_planks"], 0, Stretch::Soft),
     ("brick", &["bricks", "stone_bricks", "mud_bricks"], 0, Stretch::Soft),
-    ("wall", &["bricks", "stone_bricks", "smooth_sandstone", "white_terracotta", "mud_bricks", "polished_andesite"], 0, Stretch::Soft),
+    (
+        "wall",
+        &[
+            "bricks",
+            "stone_bricks",
+            "smooth_sandstone",
+            "white_terracotta",
+            "mud_bricks",
+            "polished_andesite",
+        ],
+        0,
+        Stretch::Soft,
+    ),
     ("facade", &["bricks", "stone_bricks"], 0, Stretch::Soft),
     ("background", &["bricks", "stone_bricks"], 0, Stretch::Soft),
     ("plaster", &["white_terracotta", "smooth_sandstone"], 0, Stretch::Soft),
@@ -307,7 +336,8 @@ pub fn meant(layouts: &[Layout], said: &Meanings, steps: &[Option<i32>]) -> Mean
     let mut meant = Meant { list: Vec::new(), guessed: Vec::new() };
     for (number, label) in labels.iter().enumerate() {
         let word = word(label);
-        let unexplained = if layouts.iter().any(|layout| spans(layout, number)) { Stretch::Soft } else { Stretch::Hard };
+        let unexplained =
+            if layouts.iter().any(|layout| spans(layout, number)) { Stretch::Soft } else { Stretch::Hard };
         let (_, names, offset, stretch) = word.unwrap_or(("", &OTHERS, 0, unexplained));
         let next = match taken.iter_mut().find(|(list, _)| *list == names) {
             Some((_, next)) => next,
@@ -334,7 +364,8 @@ pub fn meant(layouts: &[Layout], said: &Meanings, steps: &[Option<i32>]) -> Mean
         });
     }
     if meant.list.iter().all(|meaning| meaning.stretch != Stretch::Soft)
-        && let Some(wall) = (0..meant.list.len()).max_by_key(|label| layouts.iter().map(|layout| area(layout, *label)).sum::<u64>())
+        && let Some(wall) = (0..meant.list.len())
+            .max_by_key(|label| layouts.iter().map(|layout| area(layout, *label)).sum::<u64>())
     {
         meant.list[wall].stretch = Stretch::Soft;
     }

@@ -93,7 +93,9 @@ impl Layout {
 
     /// The same with the labels of a longer list, in which all of its own are.
     pub(super) fn relabelled(&self, labels: &[String]) -> Layout {
-        let number = |label: u32| labels.iter().position(|other| *other == self.labels[label as usize]).unwrap_or(0) as u32;
+        let number = |label: u32| {
+            labels.iter().position(|other| *other == self.labels[label as usize]).unwrap_or(0) as u32
+        };
         let numbers: Vec<u32> = (0..self.labels.len() as u32).map(number).collect();
         let leaves = self.leaves.iter().map(|leaf| Leaf { label: numbers[leaf.label as usize], ..*leaf });
         Layout { size: self.size, labels: labels.to_vec(), leaves: leaves.collect() }
@@ -102,9 +104,15 @@ impl Layout {
     /// The same leaves with every line moved. Lines keep their order, and the two of a leaf stay apart.
     pub(super) fn moved(&self, lines: &[Vec<u32>; 2]) -> Layout {
         let at = |axis: usize, line: u32| lines[axis][line as usize];
-        let moved = |region: &Region| Region { sides: [0, 1].map(|axis| region.sides[axis].map(|line| at(axis, line))) };
+        let moved = |region: &Region| Region {
+            sides: [0, 1].map(|axis| region.sides[axis].map(|line| at(axis, line))),
+        };
         let leaves = self.leaves.iter().map(|leaf| Leaf { region: moved(&leaf.region), ..*leaf });
-        Layout { size: [0, 1].map(|axis| at(axis, self.size[axis])), labels: self.labels.clone(), leaves: leaves.collect() }
+        Layout {
+            size: [0, 1].map(|axis| at(axis, self.size[axis])),
+            labels: self.labels.clone(),
+            leaves: leaves.collect(),
+        }
     }
 
     /// The same with the leaves of `cut` divided by a line across `axis`.

@@ -117,7 +117,8 @@ pub fn infer(drawings: &[Drawing], options: &Options) -> Result<Learnt, InferErr
     let depth = Depth::of(&meant.list);
     let emitted = emit::emit(&parsed, &meant.list, depth, options.variety);
     let deep = options.depth.unwrap_or(depth.total()).max(1);
-    let sizes: Vec<[u32; 3]> = parsed.iter().map(|(layout, _)| [layout.size()[0], layout.size()[1], deep]).collect();
+    let sizes: Vec<[u32; 3]> =
+        parsed.iter().map(|(layout, _)| [layout.size()[0], layout.size()[1], deep]).collect();
     let graph = building::formed(emitted, options.form, &sizes, depth);
     let facades = drawn.into_iter().zip(parsed).map(|(drawn, (layout, Parsed { rules, .. }))| {
         let Snapped { blocks_per_unit, met, moved, .. } = drawn.snapped;

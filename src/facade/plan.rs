@@ -12,7 +12,10 @@ pub type NodeId = usize;
 pub enum Node {
     /// A label, of any size.
     Leaf(u32),
-    Split { axis: Side, items: Vec<Item> },
+    Split {
+        axis: Side,
+        items: Vec<Item>,
+    },
 }
 
 /// Parts of a split that stand so often in a row.
@@ -63,8 +66,15 @@ impl Plan {
         decision: &mut impl FnMut(StructureId, &Region) -> Decision,
     ) -> Plan {
         let whole = cutter.whole();
-        let mut builder =
-            Builder { cutter, folding, structure, decision, nodes: Vec::new(), known: FxHashMap::default(), of: FxHashMap::default() };
+        let mut builder = Builder {
+            cutter,
+            folding,
+            structure,
+            decision,
+            nodes: Vec::new(),
+            known: FxHashMap::default(),
+            of: FxHashMap::default(),
+        };
         let root = builder.node(&whole);
         let Builder { nodes, .. } = builder;
         let size = Side::ALL.map(|axis| cutter.length(&whole, axis));
@@ -182,6 +192,9 @@ where
             .map(|part| Part { length: self.cutter.length(part, axis), node: self.node(part) })
             .collect();
         let runs = folded(&parts, self.folding);
-        Node::Split { axis, items: runs.into_iter().map(|run| Item { times: run.times, parts: run.unit }).collect() }
+        Node::Split {
+            axis,
+            items: runs.into_iter().map(|run| Item { times: run.times, parts: run.unit }).collect(),
+        }
     }
 }

@@ -29,7 +29,8 @@ pub fn reproduced(
             place(&alone, bounds(&leaf.region, size.z), library, &mut expected)?;
         }
     }
-    let is_alike = |region: &Region| bounds(region, size.z).cells().all(|cell| made.get(cell) == expected.get(cell));
+    let is_alike =
+        |region: &Region| bounds(region, size.z).cells().all(|cell| made.get(cell) == expected.get(cell));
     Ok(layout.leaves().iter().filter(|leaf| is_alike(&leaf.region)).count())
 }
 

@@ -1,7 +1,7 @@
 //! Plans as rules, and how long rules are.
 
-use super::plan::{Item, Node, NodeId, Plan};
 use super::Side;
+use super::plan::{Item, Node, NodeId, Plan};
 use rustc_hash::FxHashMap;
 
 /// Rules: splits that have the same parts in the same order are one, if they differ in the length of one part only, which

@@ -41,7 +41,13 @@ impl Parsed {
 }
 
 /// The rules of a layout that straight lines cut into its leaves.
-pub fn parse(cutter: &Cutter, structures: &mut Structures, groups: &Groups, labels: usize, method: Method) -> Parsed {
+pub fn parse(
+    cutter: &Cutter,
+    structures: &mut Structures,
+    groups: &Groups,
+    labels: usize,
+    method: Method,
+) -> Parsed {
     let mut search = Search {
         cutter,
         structures,
@@ -147,7 +153,8 @@ impl Search<'_> {
         for region in regions {
             self.value(&region);
         }
-        let value = self.options[&id].iter().map(|choice| self.expected(choice, None)).fold(f64::INFINITY, f64::min);
+        let value =
+            self.options[&id].iter().map(|choice| self.expected(choice, None)).fold(f64::INFINITY, f64::min);
         self.values.insert(id, value);
         value
     }
@@ -165,13 +172,16 @@ impl Search<'_> {
         for axis in Side::ALL {
             let cuts = self.cutter.cuts(region, axis);
             if !cuts.is_empty() {
-                decisions.extend(self.sets(id, region, axis, &cuts).into_iter().map(|lines| Decision { axis, lines }));
+                decisions.extend(
+                    self.sets(id, region, axis, &cuts).into_iter().map(|lines| Decision { axis, lines }),
+                );
             }
         }
         decisions.sort();
         decisions.dedup();
         let mut regions: FxHashMap<StructureId, Region> = FxHashMap::default();
-        let choices = decisions.into_iter().map(|decision| self.choice(decision, region, &mut regions)).collect();
+        let choices =
+            decisions.into_iter().map(|decision| self.choice(decision, region, &mut regions)).collect();
         let mut regions: Vec<(StructureId, Region)> = regions.into_iter().collect();
         regions.sort();
         (choices, regions.into_iter().map(|(_, region)| region).collect())
@@ -204,7 +214,8 @@ impl Search<'_> {
     fn cut_leaves(&self, region: &Region, axis: Side, cuts: &[u32]) -> u32 {
         let is_cut = |group: &&Group| {
             let [low, high] = group.region.sides[axis.index()];
-            region.contains(&group.region) && cuts.get(cuts.partition_point(|cut| *cut <= low)).is_some_and(|cut| *cut < high)
+            region.contains(&group.region)
+                && cuts.get(cuts.partition_point(|cut| *cut <= low)).is_some_and(|cut| *cut < high)
         };
         self.repeated.iter().take(MOST_ASKED).filter(is_cut).map(|group| group.leaves).sum()
     }
@@ -230,7 +241,8 @@ impl Search<'_> {
             sets.extend([units, ends]);
         }
         if cuts.len() > 1 {
-            let costs: Vec<f64> = cuts.iter().map(|cut| f64::from(self.cut_leaves(region, axis, &[*cut]))).collect();
+            let costs: Vec<f64> =
+                cuts.iter().map(|cut| f64::from(self.cut_leaves(region, axis, &[*cut]))).collect();
             let least = (0..cuts.len()).min_by(|a, b| costs[*a].total_cmp(&costs[*b]));
             sets.extend(least.map(|line| vec![line as u16]));
             let seed = (u64::from(id) << 1) | axis.index() as u64;
@@ -268,14 +280,17 @@ impl Search<'_> {
         let choices = &self.options[&id];
         let costs: Vec<f64> = choices.iter().map(|choice| self.expected(choice, Some(known))).collect();
         let least = costs.iter().copied().fold(f64::INFINITY, f64::min);
-        let weight = |cost: &f64| if warmth > 0.0 { (-(cost - least) / warmth).exp() } else { f64::from(u8::from(*cost == least)) };
+        let weight = |cost: &f64| {
+            if warmth > 0.0 { (-(cost - least) / warmth).exp() } else { f64::from(u8::from(*cost == least)) }
+        };
         let weights: Vec<f64> = costs.iter().map(weight).collect();
         choices[drawn(&weights, rng)].clone()
     }
 
     /// Corrects what structures are expected to take by what a trial came to.
     fn learn(&mut self, order: &[(StructureId, Choice)]) {
-        let places: FxHashMap<StructureId, usize> = order.iter().enumerate().map(|(at, (id, _))| (*id, at)).collect();
+        let places: FxHashMap<StructureId, usize> =
+            order.iter().enumerate().map(|(at, (id, _))| (*id, at)).collect();
         let mut seen = vec![usize::MAX; order.len()];
         for at in (0..order.len()).rev() {
             let (mut sum, mut open) = (0.0, vec![at]);

@@ -64,9 +64,12 @@ pub fn snap(lined: &Lined, scale: Scale, near: Near) -> Result<Snapped, FacadeEr
         let side = |axis: &Axis<'_>| {
             let total = (scale * axis.extent()).round().clamp(1.0, MOST) as i64;
             let placed = axis.snapped(total, scale);
-            let others = [total - give, total + give].into_iter().filter(|other| *other != total && *other > 0);
+            let others =
+                [total - give, total + give].into_iter().filter(|other| *other != total && *other > 0);
             let others = others.filter_map(|other| axis.snapped(other, scale).ok());
-            placed.map(|placed| others.fold(placed, |best, other| if other.cost < best.cost { other } else { best }))
+            placed.map(|placed| {
+                others.fold(placed, |best, other| if other.cost < best.cost { other } else { best })
+            })
         };
         let [x, y] = [side(&axes[0])?, side(&axes[1])?];
         let met = [&x, &y].map(|lines| lines.at.windows(2).filter(|pair| pair[0] == pair[1]).count());
@@ -95,7 +98,9 @@ pub fn snap(lined: &Lined, scale: Scale, near: Near) -> Result<Snapped, FacadeEr
     if least * width.max(height) > MOST {
         return Err(FacadeError::TooLarge { blocks: least * width.max(height), most: MOST });
     }
-    let tried = (0..STEPS).map(|step| at(least * (1.0 + STEP * f64::from(step)), 1)).collect::<Result<Vec<_>, _>>()?;
+    let tried = (0..STEPS)
+        .map(|step| at(least * (1.0 + STEP * f64::from(step)), 1))
+        .collect::<Result<Vec<_>, _>>()?;
     let best = tried.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b));
     best.map(|(snapped, _)| snapped).ok_or(FacadeError::NoAreas)
 }
@@ -140,7 +145,10 @@ impl Axis<'_> {
     }
 
     fn thinnest(&self) -> f64 {
-        self.apart.iter().map(|(low, high)| self.lines[*high] - self.lines[*low]).fold(f64::INFINITY, f64::min)
+        self.apart
+            .iter()
+            .map(|(low, high)| self.lines[*high] - self.lines[*low])
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// The row of leaves that takes most blocks: its thinnest pair of lines, and how many blocks it takes.
@@ -230,7 +238,14 @@ impl Search {
             wishes_of[*low].push(number);
             wishes_of[*high].push(number);
         }
-        let mut search = Search { at: ideal.iter().map(|at| at.round() as i64).collect(), ideal, below, above, wishes, wishes_of };
+        let mut search = Search {
+            at: ideal.iter().map(|at| at.round() as i64).collect(),
+            ideal,
+            below,
+            above,
+            wishes,
+            wishes_of,
+        };
         search.spread(total);
         search
     }
@@ -321,7 +336,10 @@ impl Search {
     }
 
     fn jog(&self, line: usize) -> f64 {
-        match line.checked_sub(1).filter(|before| line < self.at.len() && self.ideal[line] - self.ideal[*before] < ALIKE) {
+        match line
+            .checked_sub(1)
+            .filter(|before| line < self.at.len() && self.ideal[line] - self.ideal[*before] < ALIKE)
+        {
             Some(before) => JOG * (self.at[line] - self.at[before]) as f64,
             None => 0.0,
         }

@@ -48,7 +48,10 @@ impl Giving {
                     let (window, door) = (any(&giving.has_window), any(&giving.has_door));
                     let hard = [any(&giving.is_hard[0]), any(&giving.is_hard[1])];
                     let seen = items.iter().any(|item| item.times > 1);
-                    let along = (seen || any(&giving.stretches[axis.index()]), giving.comes_again(plan, number, Again::Anywhere));
+                    let along = (
+                        seen || any(&giving.stretches[axis.index()]),
+                        giving.comes_again(plan, number, Again::Anywhere),
+                    );
                     let other = axis.other().index();
                     let anything = vec![true; number];
                     let across = (
@@ -87,13 +90,15 @@ impl Giving {
         let nodes: Vec<NodeId> = plan.parts(node).map(|part| part.node).collect();
         let often = |node: &NodeId| nodes.iter().filter(|other| *other == node).count() > 1;
         let inside = |node: &NodeId| again == Again::Anywhere && self.repeats[axis.index()][*node];
-        items.iter().any(|item| item.times > 1) || nodes.iter().any(|node| inside(node) || (self.has_window[*node] && often(node)))
+        items.iter().any(|item| item.times > 1)
+            || nodes.iter().any(|node| inside(node) || (self.has_window[*node] && often(node)))
     }
 }
 
 /// Whether that is so of most of the parts of a split that count, by length.
 fn mostly(items: &[Item], counts: &[bool], is_so: &[bool]) -> bool {
-    let all = || items.iter().flat_map(|item| item.parts.iter().map(|part| (item.times * part.length, part.node)));
+    let all =
+        || items.iter().flat_map(|item| item.parts.iter().map(|part| (item.times * part.length, part.node)));
     let parts = || all().filter(|(_, node)| counts[*node]);
     let all: u32 = parts().map(|(length, _)| length).sum();
     let those: u32 = parts().filter(|(_, node)| is_so[*node]).map(|(length, _)| length).sum();
@@ -137,10 +142,12 @@ pub fn walled(node: NodeId, length: u32) -> Stretched {
 /// A split that takes any length; `None` if no way was found that keeps all hard parts whole.
 pub fn stretched(plan: &Plan, giving: &Giving, node: NodeId) -> Option<Stretched> {
     let Node::Split { axis, items } = &plan.nodes[node] else { return None };
-    let natural = items.iter().map(|item| item.times * item.parts.iter().map(|part| part.length).sum::<u32>()).sum();
+    let natural =
+        items.iter().map(|item| item.times * item.parts.iter().map(|part| part.length).sum::<u32>()).sum();
     let seen = parts(plan, giving, *axis, node);
     // What comes again in a part leaves no room for further parts, unless those are of a kind.
-    let is_room = !plan.parts(node).any(|part| giving.repeats[axis.index()][part.node]) || giving.comes_again(plan, node, Again::Here);
+    let is_room = !plan.parts(node).any(|part| giving.repeats[axis.index()][part.node])
+        || giving.comes_again(plan, node, Again::Here);
     let grown = (seen.repeats.is_empty() && is_room).then(|| grown(giving, *axis, &seen)).flatten();
     let candidates = grown.into_iter().chain([seen]).flat_map(|split| [split.clone(), split.stiff_inside()]);
     candidates.map(|split| split.with_fillers().guarded(giving, natural)).find(|split| split.holds(natural))
@@ -152,7 +159,8 @@ fn parts(plan: &Plan, giving: &Giving, axis: Side, node: NodeId) -> Stretched {
     let (side, mut split) = (axis.index(), Stretched { parts: Vec::new(), repeats: Vec::new() });
     let Node::Split { items, .. } = &plan.nodes[node] else { return split };
     let again = |node: NodeId| giving.repeats[side][node];
-    let gives = items.iter().any(|item| item.times > 1) || plan.parts(node).any(|part| !giving.is_hard[side][part.node] || again(part.node));
+    let gives = items.iter().any(|item| item.times > 1)
+        || plan.parts(node).any(|part| !giving.is_hard[side][part.node] || again(part.node));
     for item in items {
         let start = split.parts.len();
         for part in &item.parts {
@@ -177,13 +185,19 @@ fn grown(giving: &Giving, axis: Side, seen: &Stretched) -> Option<Stretched> {
     let units: Vec<Unit> = (0..seen.parts.len()).filter_map(|at| unit(giving, axis, seen, at)).collect();
     let mirror = |unit: &Unit| {
         let range = seen.parts.len() - unit.range.end..seen.parts.len() - unit.range.start;
-        let lengths = |range: &Range<usize>| seen.parts[range.clone()].iter().map(|part| part.length).collect::<Vec<_>>();
+        let lengths = |range: &Range<usize>| {
+            seen.parts[range.clone()].iter().map(|part| part.length).collect::<Vec<_>>()
+        };
         let is_mirrored = lengths(&range).iter().rev().eq(&lengths(&unit.range));
         (axis == Side::X && is_mirrored).then(|| units.iter().find(|other| other.range == range)).flatten()
     };
     let best = units.iter().max_by(|a, b| {
         let (a_mirrored, b_mirrored) = (mirror(a).is_some(), mirror(b).is_some());
-        a_mirrored.cmp(&b_mirrored).then(a.often.cmp(&b.often)).then(b.off.abs().total_cmp(&a.off.abs())).then(a.at.cmp(&b.at))
+        a_mirrored
+            .cmp(&b_mirrored)
+            .then(a.often.cmp(&b.often))
+            .then(b.off.abs().total_cmp(&a.off.abs()))
+            .then(a.at.cmp(&b.at))
     })?;
     let mut repeats = vec![best.range.clone()];
     let is_apart = |other: &&Unit| other.range.end <= best.range.start || best.range.end <= other.range.start;
@@ -220,8 +234,11 @@ fn unit(giving: &Giving, axis: Side, seen: &Stretched, at: usize) -> Option<Unit
     let off = middles(parts)[at];
     // What is between two of a kind belongs to them, whatever it is; else there has to be wall.
     let separates = |other: usize| parts[other].is_share() || (often > 1 && giving_room(seen, other));
-    let before = at.checked_sub(1).filter(|other| !has_window(*other) && separates(*other)).map(|other| other..at + 1);
-    let after = Some(at + 1).filter(|other| *other < parts.len() && !has_window(*other) && separates(*other)).map(|other| at..other + 1);
+    let before =
+        at.checked_sub(1).filter(|other| !has_window(*other) && separates(*other)).map(|other| other..at + 1);
+    let after = Some(at + 1)
+        .filter(|other| *other < parts.len() && !has_window(*other) && separates(*other))
+        .map(|other| at..other + 1);
     // The wall on the side of the middle goes with it, so that mirrored units mirror each other; with a storey that below.
     let range = if axis == Side::Y || off > 0.0 { before.or(after) } else { after.or(before) };
     range.map(|range| Unit { at, range, often, off })
@@ -264,8 +281,10 @@ impl Stretched {
 
     /// With walls of no length at both ends where nothing outside of repeats gives.
     fn with_fillers(mut self) -> Stretched {
-        let gives = (0..self.parts.len()).any(|at| !self.is_inside(at) && matches!(self.parts[at].length, Length::Share(_)));
-        let gives_inside = (0..self.parts.len()).any(|at| self.is_inside(at) && matches!(self.parts[at].length, Length::Share(_)));
+        let gives = (0..self.parts.len())
+            .any(|at| !self.is_inside(at) && matches!(self.parts[at].length, Length::Share(_)));
+        let gives_inside = (0..self.parts.len())
+            .any(|at| self.is_inside(at) && matches!(self.parts[at].length, Length::Share(_)));
         if !gives && !gives_inside {
             let filler = Stretchy { node: None, length: Length::Share(FILLER) };
             self.parts.insert(0, filler);
@@ -302,17 +321,21 @@ impl Stretched {
         let repeat = |at: usize| self.repeats.iter().position(|range| range.contains(&at));
         let is_free = |at: usize| repeat(at).is_none_or(|repeat| has_share(&self.repeats[repeat]));
         let is_bare = |at: usize| self.parts[at].node.is_some_and(|node| !giving.has_wall[node]);
-        let is_one = |a: &usize, b: &usize| a + 1 == *b && is_bare(*a) && is_bare(*b) && repeat(*a) == repeat(*b);
-        let shown: Vec<usize> = (0..self.parts.len()).filter(|at| !self.parts[*at].is_share() && is_free(*at)).collect();
+        let is_one =
+            |a: &usize, b: &usize| a + 1 == *b && is_bare(*a) && is_bare(*b) && repeat(*a) == repeat(*b);
+        let shown: Vec<usize> =
+            (0..self.parts.len()).filter(|at| !self.parts[*at].is_share() && is_free(*at)).collect();
         let middle = (self.parts.len() as i64) - 1;
         let rank = |things: &[usize]| {
             let is_door = |at: &usize| self.parts[*at].node.is_some_and(|node| giving.has_door[node]);
             let off = things.iter().map(|at| (2 * *at as i64 - middle).abs()).min().unwrap_or(0);
             if things.iter().any(is_door) { -1 } else { off }
         };
-        let mut ranked: Vec<(i64, &[usize])> = shown.chunk_by(is_one).map(|things| (rank(things), things)).collect();
+        let mut ranked: Vec<(i64, &[usize])> =
+            shown.chunk_by(is_one).map(|things| (rank(things), things)).collect();
         ranked.sort_unstable();
-        let level = |level: &[(i64, &[usize])]| level.iter().flat_map(|(_, things)| things.iter().copied()).collect();
+        let level =
+            |level: &[(i64, &[usize])]| level.iter().flat_map(|(_, things)| things.iter().copied()).collect();
         ranked.chunk_by(|a, b| a.0 == b.0).map(level).collect()
     }
 
@@ -333,7 +356,9 @@ impl Stretched {
     fn lengths(&self, total: u32) -> Vec<space::Length> {
         let length = |part: &Stretchy| match part.length {
             Length::Share(share) => space::Length::Floating(share),
-            Length::Whole { blocks, from } => space::Length::Absolute(f64::from(if total >= from { blocks } else { 0 })),
+            Length::Whole { blocks, from } => {
+                space::Length::Absolute(f64::from(if total >= from { blocks } else { 0 }))
+            }
         };
         self.parts.iter().map(length).collect()
     }

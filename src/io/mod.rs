@@ -53,8 +53,8 @@ pub use litematic::{LitematicVersion, encode_litematic};
 pub use lost::Lost;
 pub use magica::{MagicaError, encode_vox};
 pub use obj::{
-    ObjError, ObjMesh, ObjModel, ObjProblem, PlacedModel, Scale, decode_obj_boxes, decode_obj_model, encode_obj_boxes, encode_obj_mesh,
-    encode_obj_models,
+    ObjError, ObjMesh, ObjModel, ObjProblem, PlacedModel, Scale, decode_obj_boxes, decode_obj_model,
+    encode_obj_boxes, encode_obj_mesh, encode_obj_models,
 };
 pub use options::{Jigsaws, Options};
 pub use region::{ChunkProblem, EncodedRegions, encode_regions, read_world};

@@ -21,7 +21,8 @@ pub fn drawing(drawing: &Drawing) -> RgbaImage {
         return RgbaImage::from_pixel(1, 1, Pixel(ViewOptions::PAPER.0));
     }
     let side = |length: f64| (length * scale).round().max(1.0) as u32;
-    let mut picture = RgbaImage::from_pixel(side(right - left), side(top - bottom), Pixel(ViewOptions::PAPER.0));
+    let mut picture =
+        RgbaImage::from_pixel(side(right - left), side(top - bottom), Pixel(ViewOptions::PAPER.0));
     let colours = colours(drawing);
     for (area, colour) in drawing.areas.iter().zip(colours) {
         // Pictures count down from the top.

@@ -73,7 +73,9 @@ impl Colours {
 
     /// The label of the colour that is nearest, and that colour.
     pub(super) fn nearest(&self, colour: [u8; 3]) -> Option<(String, String)> {
-        let off = |known: &[u8; 3]| known.iter().zip(colour).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum::<u32>();
+        let off = |known: &[u8; 3]| {
+            known.iter().zip(colour).map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum::<u32>()
+        };
         let nearest = self.list.iter().min_by_key(|(known, _)| off(known));
         nearest.map(|(known, label)| (hex(*known), label.clone()))
     }

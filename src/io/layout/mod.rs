@@ -41,8 +41,12 @@ pub fn decode_layout(
     limits: &Limits,
 ) -> Result<Drawing, LayoutError> {
     let drawing = match bytes {
-        _ if is_picture(bytes) => picture::decode(bytes, colours.ok_or(LayoutError::NoColours)?, is_wall, limits)?,
-        _ if is_xml(bytes) => xml::decode(std::str::from_utf8(bytes).map_err(|error| LayoutError::NotUtf8(error.valid_up_to()))?)?,
+        _ if is_picture(bytes) => {
+            picture::decode(bytes, colours.ok_or(LayoutError::NoColours)?, is_wall, limits)?
+        }
+        _ if is_xml(bytes) => xml::decode(
+            std::str::from_utf8(bytes).map_err(|error| LayoutError::NotUtf8(error.valid_up_to()))?,
+        )?,
         _ => return Err(LayoutError::NoLayout),
     };
     match drawing.areas.len() > MOST_LEAVES {

@@ -124,7 +124,8 @@ impl Labelled {
         let label = self.pixels[region[0]] as usize;
         let rectangles = self.rectangles(region);
         if rectangles.len() > 1 && !walls[label] {
-            let place = Place::Pixel { x: (region[0] % self.width) as u32, y: (region[0] / self.width) as u32 };
+            let place =
+                Place::Pixel { x: (region[0] % self.width) as u32, y: (region[0] / self.width) as u32 };
             return Err(LayoutError::NoRectangle { place, label: self.labels[label].clone() });
         }
         areas.extend(rectangles.into_iter().map(|[left, right, top, bottom]| Area {
@@ -144,7 +145,9 @@ impl Labelled {
         let mut rows = region.chunk_by(|a, b| a / self.width == b / self.width).peekable();
         while let Some(row) = rows.next() {
             let y = row[0] / self.width;
-            let runs = row.chunk_by(|a, b| a + 1 == *b).map(|run| [run[0] % self.width, run[run.len() - 1] % self.width + 1]);
+            let runs = row
+                .chunk_by(|a, b| a + 1 == *b)
+                .map(|run| [run[0] % self.width, run[run.len() - 1] % self.width + 1]);
             let next: BTreeMap<[usize; 2], usize> =
                 runs.map(|run| (run, open.remove(&run).unwrap_or(y))).collect();
             done.extend(open.iter().map(|([left, right], top)| [*left, *right, *top, y]));

@@ -19,7 +19,8 @@ const NOISE: f64 = 1e-4;
 /// Where the text is no XML, holds no shape, or a shape says no box, no label or no number, with its line.
 pub fn decode(text: &str) -> Result<Drawing, LayoutError> {
     let options = ParsingOptions { nodes_limit: MOST_NODES, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options).map_err(|error| LayoutError::Xml(error.to_string()))?;
+    let document =
+        Document::parse_with_options(text, options).map_err(|error| LayoutError::Xml(error.to_string()))?;
     let is_shape = |node: &Node| node.has_tag_name("MainShape") || node.has_tag_name("SerializableShape");
     let main = document.descendants().find(is_shape).ok_or(LayoutError::NoShape)?;
     let reader = Reader { document: &document };
@@ -35,7 +36,8 @@ pub fn decode(text: &str) -> Result<Drawing, LayoutError> {
         if around.is_some_and(|around| reaches_out(&sides, &around)) {
             return Err(LayoutError::Outside { place });
         }
-        let children: Vec<Node> = child(&shape, "Children").iter().flat_map(Node::children).filter(is_shape).collect();
+        let children: Vec<Node> =
+            child(&shape, "Children").iter().flat_map(Node::children).filter(is_shape).collect();
         if children.is_empty() {
             let label = reader.label(&shape)?;
             drawing.areas.push(Area { label, sides, front: Some(front), place });
