@@ -32,6 +32,24 @@ pub fn folded<T: Clone + PartialEq>(sequence: &[T], folding: Folding) -> Vec<Run
     }
 }
 
+/// The same with repeats of one number of times only, those that save most; the others are written out. Repeats of a split
+/// share its room in proportion to their lengths, so all come equally often.
+pub fn in_step<T: Clone>(runs: Vec<Run<T>>) -> Vec<Run<T>> {
+    let saved = |times: u32| {
+        let own = runs.iter().filter(|run| run.times == times);
+        own.map(|run| (times as usize - 1) * run.unit.len()).sum::<usize>()
+    };
+    let kept = runs.iter().map(|run| run.times).max_by_key(|times| (saved(*times), *times)).unwrap_or(1);
+    let written = |run: Run<T>| match run.times == kept || run.times == 1 {
+        true => vec![run],
+        false => {
+            let parts = (0..run.times).flat_map(|_| run.unit.iter().cloned());
+            parts.map(|part| Run { times: 1, unit: vec![part] }).collect()
+        }
+    };
+    runs.into_iter().flat_map(written).collect()
+}
+
 fn greedy<T: Clone + PartialEq>(sequence: &[T]) -> Vec<Run<T>> {
     let mut runs = Vec::new();
     let mut at = 0;

@@ -1,6 +1,6 @@
 //! What labels stand for: blocks, files and shapes, how deep they lie and whether they may stretch.
 
-use super::Layout;
+use super::{Layout, Side};
 use crate::block;
 use crate::grammar::{closest, is_primitive};
 use crate::graph::Thing;
@@ -337,7 +337,7 @@ pub fn meant(layouts: &[Layout], said: &Meanings, steps: &[Option<i32>]) -> Mean
     for (number, label) in labels.iter().enumerate() {
         let word = word(label);
         let unexplained =
-            if layouts.iter().any(|layout| spans(layout, number)) { Stretch::Soft } else { Stretch::Hard };
+            if layouts.iter().any(|layout| spans(layout, number)) { Stretch::Band } else { Stretch::Hard };
         let (_, names, offset, stretch) = word.unwrap_or(("", &OTHERS, 0, unexplained));
         let next = match taken.iter_mut().find(|(list, _)| *list == names) {
             Some((_, next)) => next,
@@ -372,11 +372,14 @@ pub fn meant(layouts: &[Layout], said: &Meanings, steps: &[Option<i32>]) -> Mean
     meant
 }
 
-/// Whether a leaf of a label reaches from side to side: it is no window then, whatever it is.
+/// Whether a leaf of a label reaches from side to side, long and low: it is no window then, whatever it is.
 fn spans(layout: &Layout, label: usize) -> bool {
-    let whole = layout.whole();
+    const LONG: u32 = 4;
     let mut own = layout.leaves().iter().filter(|leaf| leaf.label as usize == label);
-    own.any(|leaf| leaf.region.sides.iter().zip(&whole.sides).any(|(own, all)| own == all))
+    own.any(|leaf| {
+        let [width, height] = Side::ALL.map(|axis| leaf.region.len(axis));
+        width == layout.size()[0] && width >= LONG * height
+    })
 }
 
 /// The blocks that a label covers.

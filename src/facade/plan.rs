@@ -1,7 +1,7 @@
 //! Layouts as splits of splits: what a decision at each structure makes of a layout.
 
 use super::cuts::{Cutter, StructureId};
-use super::fold::{Folding, folded};
+use super::fold::{Folding, folded, in_step};
 use super::{Region, Side};
 use rustc_hash::FxHashMap;
 
@@ -23,6 +23,13 @@ pub enum Node {
 pub struct Item {
     pub times: u32,
     pub parts: Vec<Part>,
+}
+
+impl Item {
+    /// Its parts as often as they stand.
+    pub fn written_out(&self) -> impl Iterator<Item = &Part> {
+        (0..self.times).flat_map(|_| &self.parts)
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -143,7 +150,11 @@ impl Plan {
 fn inlined(item: &Item, axis: Side, nodes: &[Node], uses: &[u32]) -> Vec<Item> {
     match item.parts.as_slice() {
         [Part { node, .. }] if item.times == 1 && uses[*node] == 1 => match &nodes[*node] {
-            Node::Split { axis: inner, items } if *inner == axis => items.clone(),
+            Node::Split { axis: inner, items }
+                if *inner == axis && items.iter().all(|item| item.times == 1) =>
+            {
+                items.clone()
+            }
             _ => vec![item.clone()],
         },
         _ => vec![item.clone()],
@@ -191,7 +202,7 @@ where
             .iter()
             .map(|part| Part { length: self.cutter.length(part, axis), node: self.node(part) })
             .collect();
-        let runs = folded(&parts, self.folding);
+        let runs = in_step(folded(&parts, self.folding));
         Node::Split {
             axis,
             items: runs.into_iter().map(|run| Item { times: run.times, parts: run.unit }).collect(),

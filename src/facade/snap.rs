@@ -5,6 +5,7 @@
 //! would give a row of equal windows two widths, and a rule for each.
 
 use super::drawing::Lined;
+use super::labels::{Meanings, is_wall};
 use super::{FacadeError, Layout, Side};
 use std::collections::BTreeMap;
 
@@ -111,6 +112,8 @@ struct Axis<'l> {
     lines: &'l [f64],
     /// Pairs of lines that stand a block apart at the least, low before high, without doubles.
     apart: Vec<(usize, usize)>,
+    /// Whether a label is wall, or covers most.
+    is_wall: Vec<bool>,
     /// The leaves along the axis: their lines, label and number.
     spans: Vec<(usize, usize, u32, f64)>,
 }
@@ -137,7 +140,22 @@ impl Axis<'_> {
         apart.sort_unstable();
         apart.dedup();
         let spans = spans.into_iter().map(|((low, high, label), times)| (low, high, label, times)).collect();
-        Axis { axis, lines, apart, spans }
+        let layout = &lined.layout;
+        let mut is_wall: Vec<bool> =
+            layout.labels().iter().map(|label| is_wall(label, &Meanings::default())).collect();
+        if !is_wall.contains(&true) {
+            let mut areas = vec![0.0; is_wall.len()];
+            for leaf in layout.leaves() {
+                let side = |axis: usize| {
+                    let [low, high] = leaf.region.sides[axis].map(|line| lined.lines[axis][line as usize]);
+                    high - low
+                };
+                areas[leaf.label as usize] += side(0) * side(1);
+            }
+            let largest = (0..areas.len()).max_by(|a, b| areas[*a].total_cmp(&areas[*b]));
+            largest.into_iter().for_each(|label| is_wall[label] = true);
+        }
+        Axis { axis, lines, apart, is_wall, spans }
     }
 
     fn extent(&self) -> f64 {
@@ -203,6 +221,8 @@ fn scale_for(blocks: u32, extent: f64) -> f64 {
 /// What it costs a leaf to be a block longer or shorter than leaves that were drawn like it, in squares of blocks
 /// that a line moves: nobody sees where a window is off by a block, and everybody that it is wider than its neighbour.
 const UNLIKE: f64 = 40.0;
+/// The part of that for walls, which take what room is left over.
+const WALL: f64 = 0.2;
 /// What it costs two lines that were drawn in one place, but for a hair, to stand apart.
 const JOG: f64 = 20.0;
 /// Lengths within so many blocks of one another are one.
@@ -361,7 +381,8 @@ fn wishes(axis: &Axis<'_>, ideal: &[f64]) -> Vec<(usize, usize, i64, f64)> {
         let times: f64 = alike.iter().map(|span| span.3).sum();
         let mean = alike.iter().map(|span| span.3 * length(span)).sum::<f64>() / times;
         let wished = mean.round().max(1.0) as i64;
-        wishes.extend(alike.iter().map(|span| (span.0, span.1, wished, UNLIKE * span.3.sqrt())));
+        let unlike = if axis.is_wall[alike[0].2 as usize] { WALL * UNLIKE } else { UNLIKE };
+        wishes.extend(alike.iter().map(|span| (span.0, span.1, wished, unlike * span.3.sqrt())));
     }
     wishes
 }

@@ -47,7 +47,7 @@ impl Giving {
                     let any = |list: &[bool]| plan.parts(number).any(|part| list[part.node]);
                     let (window, door) = (any(&giving.has_window), any(&giving.has_door));
                     let hard = [any(&giving.is_hard[0]), any(&giving.is_hard[1])];
-                    let seen = items.iter().any(|item| item.times > 1);
+                    let seen = items.iter().any(|item| giving.is_repeat(item));
                     let along = (
                         seen || any(&giving.stretches[axis.index()]),
                         giving.comes_again(plan, number, Again::Anywhere),
@@ -72,6 +72,11 @@ impl Giving {
         giving
     }
 
+    /// Whether an item comes several times and has a window: walls that were drawn in pieces are walls all the same.
+    fn is_repeat(&self, item: &Item) -> bool {
+        item.times > 1 && item.parts.iter().any(|part| self.has_window[part.node])
+    }
+
     fn add_leaf(&mut self, stretch: Stretch, is_door: bool) {
         let is_soft = [stretch != Stretch::Hard, stretch == Stretch::Soft];
         for (axis, is_soft) in is_soft.into_iter().enumerate() {
@@ -90,7 +95,7 @@ impl Giving {
         let nodes: Vec<NodeId> = plan.parts(node).map(|part| part.node).collect();
         let often = |node: &NodeId| nodes.iter().filter(|other| *other == node).count() > 1;
         let inside = |node: &NodeId| again == Again::Anywhere && self.repeats[axis.index()][*node];
-        items.iter().any(|item| item.times > 1)
+        items.iter().any(|item| self.is_repeat(item))
             || nodes.iter().any(|node| inside(node) || (self.has_window[*node] && often(node)))
     }
 }
@@ -150,7 +155,9 @@ pub fn stretched(plan: &Plan, giving: &Giving, node: NodeId) -> Option<Stretched
         || giving.comes_again(plan, node, Again::Here);
     let grown = (seen.repeats.is_empty() && is_room).then(|| grown(giving, *axis, &seen)).flatten();
     let candidates = grown.into_iter().chain([seen]).flat_map(|split| [split.clone(), split.stiff_inside()]);
-    candidates.map(|split| split.with_fillers().guarded(giving, natural)).find(|split| split.holds(natural))
+    let guarded = candidates.map(|split| split.with_fillers().guarded(giving, natural));
+    let drawn: Vec<u32> = items.iter().flat_map(Item::written_out).map(|part| part.length).collect();
+    guarded.into_iter().find(|split| split.holds(natural) && split.gives_back(&drawn))
 }
 
 /// The parts of a split as they were seen. What holds something hard is whole, unless what is in it comes again there; if
@@ -159,11 +166,14 @@ fn parts(plan: &Plan, giving: &Giving, axis: Side, node: NodeId) -> Stretched {
     let (side, mut split) = (axis.index(), Stretched { parts: Vec::new(), repeats: Vec::new() });
     let Node::Split { items, .. } = &plan.nodes[node] else { return split };
     let again = |node: NodeId| giving.repeats[side][node];
-    let gives = items.iter().any(|item| item.times > 1)
+    let is_repeat = |item: &Item| giving.is_repeat(item);
+    let gives = items.iter().any(is_repeat)
         || plan.parts(node).any(|part| !giving.is_hard[side][part.node] || again(part.node));
     for item in items {
         let start = split.parts.len();
-        for part in &item.parts {
+        let is_repeat = is_repeat(item);
+        let times = if is_repeat { 1 } else { item.times as usize };
+        for part in (0..times).flat_map(|_| &item.parts) {
             let may = !gives || !giving.is_hard[side][part.node] || again(part.node);
             let length = match giving.stretches[side][part.node] && may {
                 true => Length::Share(f64::from(part.length)),
@@ -171,7 +181,7 @@ fn parts(plan: &Plan, giving: &Giving, axis: Side, node: NodeId) -> Stretched {
             };
             split.parts.push(Stretchy { node: Some(part.node), length });
         }
-        if item.times > 1 {
+        if is_repeat {
             split.repeats.push(start..split.parts.len());
         }
     }
@@ -369,17 +379,30 @@ impl Stretched {
         (1..=most).all(|total| self.fits(total))
     }
 
-    /// Whether every hard part is whole or left out in a scope, with wall between any two that have wall between them.
-    fn fits(&self, total: u32) -> bool {
+    /// Whether at its own length it has the parts that were drawn.
+    fn gives_back(&self, drawn: &[u32]) -> bool {
+        let bounds = self.bounds(drawn.iter().sum()).map(|(_, bounds)| bounds);
+        let lengths =
+            bounds.unwrap_or_default().windows(2).map(|ends| (ends[1] - ends[0]) as u32).collect::<Vec<_>>();
+        lengths.into_iter().filter(|length| *length > 0).eq(drawn.iter().copied())
+    }
+
+    /// The lengths of all parts in a scope, repeats written out, and where they end; `None` where they do not fit.
+    fn bounds(&self, total: u32) -> Option<(Vec<space::Length>, Vec<i32>)> {
         let lengths = self.lengths(total);
         let groups: Vec<Group> = self.repeats.iter().map(|range| Group { children: range.clone() }).collect();
         let order = match groups.is_empty() {
-            true => Ok((0..lengths.len()).collect()),
-            false => written_out(&lengths, &groups, total as i32),
+            true => (0..lengths.len()).collect(),
+            false => written_out(&lengths, &groups, total as i32).ok()?,
         };
-        let Ok(order) = order else { return false };
         let out: Vec<space::Length> = order.iter().map(|at| lengths[*at]).collect();
-        let Ok(bounds) = fit(total as i32, &out) else { return false };
+        let bounds = fit(total as i32, &out).ok()?;
+        Some((out, bounds))
+    }
+
+    /// Whether every hard part is whole or left out in a scope, with wall between any two that have wall between them.
+    fn fits(&self, total: u32) -> bool {
+        let Some((out, bounds)) = self.bounds(total) else { return false };
         // The wall since the last hard part that is there: none where no wall was meant to be.
         let mut wall = None;
         let mut is_first = true;

@@ -1,6 +1,6 @@
 //! Random layouts for tests and benches: rectangles that straight lines cut, as files have them, with noise.
 
-use rand::{Rng, RngExt, SeedableRng};
+use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use vox::facade::{Area, Drawing, Place};
 
@@ -28,7 +28,7 @@ fn cut(sides: Sides, leaves: usize, rng: &mut Pcg32, areas: &mut Vec<Area>) {
         let label = LABELS[rng.random_range(0..LABELS.len())].to_owned();
         return areas.push(Area { label, sides, front: None, place: Place::Line(areas.len() + 1) });
     }
-    let axis = usize::from(rng.random());
+    let axis = usize::from(rng.random::<bool>());
     let parts = rng.random_range(2..=leaves.min(5));
     // Ends on a grid of twentieths: some lines are those of neighbours, most are not.
     let mut ends: Vec<u32> = (0..parts - 1).map(|_| rng.random_range(1..20)).collect();
