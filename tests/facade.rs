@@ -209,6 +209,23 @@ fn several_layouts_become_one_grammar() {
 }
 
 #[test]
+fn parts_of_one_size_are_exchanged_by_chance() {
+    let mut drawing = layouts::rows(4, 3);
+    let windows = drawing.areas.iter_mut().filter(|area| area.label == "window");
+    windows.step_by(3).for_each(|area| area.label = "window2".to_owned());
+    let learnt = learnt(&drawing, &Options { variety: Variety::Exchanged, ..Options::default() });
+    let mut graph = read_back(&learnt);
+    let made = |seed| {
+        let options = run::Options { seed, ..run::Options::default() };
+        run::run(&graph, &Library::new(), &options).unwrap().made
+    };
+    assert!((1..9).any(|seed| !made(0).same_blocks(&made(seed))));
+    assert!(made(3).same_blocks(&made(3)));
+    graph.set_constant(facade::VARIETY, "0").unwrap();
+    assert_eq!(learnt.reproduced(0, &graph, &Library::new()).unwrap(), drawing.areas.len());
+}
+
+#[test]
 fn windows_that_were_drawn_alike_are_alike_in_blocks() {
     // Seven windows of 1.1 units, 0.83 apart: rounded line by line they would be two widths.
     let mut drawing = layouts::rows(7, 1);

@@ -264,6 +264,11 @@ fn tell(task: &Task<'_>, learnt: &Learnt) -> Result<(), Failure> {
     }
     let deep = count(f64::from(learnt.depth.total()), "block");
     report::note(&format!("{}, {deep} deep", count(rules as f64, "rule")));
+    if task.variety == Variety::Exchanged
+        && learnt.graph.constants.iter().all(|constant| constant.name != VARIETY)
+    {
+        report::note("no two parts of one size differ, so runs at the layout's size are all alike");
+    }
     tell_guesses(learnt);
     Ok(())
 }

@@ -34,7 +34,7 @@ Examples:
   vox infer layout.xml -o facade.grammar --building hip
   vox infer --update village.grammar house6.schem")]
 pub struct Args {
-    #[arg(required = true, help = input::FILES)]
+    #[arg(required = true, help = input::EXAMPLES)]
     examples: Vec<PathBuf>,
     /// A grammar to change as little as may be, so that it derives the examples as well: all else that is written in it
     /// stays

@@ -4,11 +4,11 @@ use super::failure::{self, Failure};
 use super::part;
 use super::report;
 use super::settings::Settings;
-use crate::grammar::{self, Checked, Loaded, Sources};
+use crate::grammar::{self, Checked, Loaded, Sources, is_mesh};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
 use crate::io::{self, Content, Decoded, Limits, ObjModel, Options, ReadError, Scale};
-use crate::run::{Library, RunError, is_mesh};
+use crate::run::{Library, RunError};
 use crate::space::Bounds;
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -32,8 +32,11 @@ macro_rules! by_content {
 /// What a command reads that needs blocks, for help texts.
 pub const BUILDINGS: &str = concat!(with_blocks!(), by_content!());
 
-/// What a command reads that takes labelled boxes and layouts of facades as well.
-pub const FILES: &str = concat!(
+/// What a command reads that takes labelled boxes as well.
+pub const FILES: &str = concat!(with_blocks!(), ", .obj of labelled boxes (`o name`)", by_content!());
+
+/// What rules are learnt from.
+pub const EXAMPLES: &str = concat!(
     with_blocks!(),
     ", .obj of labelled boxes (`o name`), .xml or .png of a facade's layout",
     by_content!()

@@ -188,10 +188,7 @@ struct Place {
 
 impl<'p> Shared<'p> {
     fn new(labels: &[String], meanings: &'p [Meaning], depth: Depth, variety: Variety) -> Shared<'p> {
-        let mut constants = constants(labels, meanings);
-        if variety == Variety::Exchanged {
-            constants.push(variety_constant());
-        }
+        let constants = constants(labels, meanings);
         let (builder, leaves, names) = (Builder::default(), BTreeMap::new(), Vec::new());
         Shared { labels: labels.len(), meanings, depth, variety, builder, constants, leaves, names }
     }
@@ -292,11 +289,20 @@ impl Emitter<'_, '_> {
     fn walled(&mut self, place: Place, axis: Side) -> NodeIndex {
         let Some(length) = place.natural[axis.index()] else { return self.elastic(place) };
         let split = stretch::walled(place.node, length);
-        self.split(axis, &split, |_| {
+        let node = self.split(axis, &split, |_| {
             let mut natural = place.natural;
             natural[axis.index()] = None;
             (natural, place.wall)
-        })
+        });
+        let label = match &self.plan.nodes[place.node] {
+            Node::Leaf(label) => Some(*label),
+            Node::Split { .. } => self.main_label(place.node),
+        };
+        if let Some(label) = label {
+            let name = format!("{}_in_wall", self.shared.constants[label as usize].name);
+            self.shared.names.push((node, name, Vec::new()));
+        }
+        node
     }
 
     /// The soft label that most of the parts of a node are, else that of the node around it.
@@ -433,6 +439,9 @@ impl Emitter<'_, '_> {
 impl Shared<'_> {
     /// Its own node, or one of all by chance.
     fn any_of(&mut self, own: NodeIndex, all: &[NodeIndex]) -> NodeIndex {
+        if self.constants.len() == self.labels {
+            self.constants.push(variety_constant());
+        }
         let variety = || Box::new(Expr::Constant(self.labels));
         let binary = |op, left: Box<Expr>, right: f64| Expr::Binary(op, left, Box::new(Expr::number(right)));
         let kept = Expr::Binary(BinaryOp::Subtract, Box::new(Expr::number(1.0)), variety());

@@ -48,9 +48,12 @@ const LONGEST: f64 = 256.0;
 /// More blocks than this along a side make no building.
 const MOST: f64 = 30_000.0;
 
-/// How much larger than the least a fitting scale may be, and how many between are tried.
-const STEPS: i32 = 8;
-const STEP: f64 = 0.03;
+/// How much larger than the least a fitting scale may be.
+const TIMES: [f64; 11] = [1.0, 1.03, 1.06, 1.09, 1.12, 1.15, 1.18, 1.25, 4.0 / 3.0, 1.5, 2.0];
+/// As far even layouts that are long already may go, and others for nothing.
+const LITTLE: f64 = 1.2;
+/// What it costs each line to be at twice the scale and more: as much as leaves that are not alike.
+const LARGER: f64 = 2.0;
 
 /// The layout in blocks.
 ///
@@ -99,9 +102,14 @@ pub fn snap(lined: &Lined, scale: Scale, near: Near) -> Result<Snapped, FacadeEr
     if least * width.max(height) > MOST {
         return Err(FacadeError::TooLarge { blocks: least * width.max(height), most: MOST });
     }
-    let tried = (0..STEPS)
-        .map(|step| at(least * (1.0 + STEP * f64::from(step)), 1))
-        .collect::<Result<Vec<_>, _>>()?;
+    // Layouts that were drawn in blocks stay as they are.
+    let own = (least < 1.0 && least * 2.0 >= 1.0).then_some(1.0 / least);
+    let is_long = |times: &f64| *times > LITTLE && least * times * width.max(height) > LONGEST;
+    let times = TIMES.into_iter().chain(own).filter(|times| !is_long(times));
+    let tried = times.map(|times| {
+        at(least * times, 1).map(|(snapped, cost)| (snapped, cost + LARGER * (times - LITTLE).max(0.0)))
+    });
+    let tried = tried.collect::<Result<Vec<_>, _>>()?;
     let best = tried.into_iter().min_by(|(_, a), (_, b)| a.total_cmp(b));
     best.map(|(snapped, _)| snapped).ok_or(FacadeError::NoAreas)
 }

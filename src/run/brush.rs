@@ -7,7 +7,7 @@ use super::place::Place;
 use super::settings;
 use super::{roof, solid};
 use crate::block::{self, BlockState, Facing, Family, Shape};
-use crate::grammar::is_primitive;
+use crate::grammar::{is_mesh, is_primitive};
 use crate::graph::Thing;
 use crate::grid::Grid;
 use crate::space::{Axis, Bounds, Cell, Scope, Turn};
@@ -131,11 +131,6 @@ impl<'l> Brush<'l> {
             (_, Some(material)) => block_of(material).map(Brush::Fill),
         }
     }
-}
-
-/// Whether a file that a grammar names is a mesh, which stands in models and not among blocks.
-pub fn is_mesh(file: &str) -> bool {
-    file.get(file.len().saturating_sub(4)..).is_some_and(|ending| ending.eq_ignore_ascii_case(".obj"))
 }
 
 /// The boxes that a placement fills.

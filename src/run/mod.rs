@@ -20,6 +20,7 @@ mod trail;
 mod why;
 
 use crate::block::{BlockState, PaletteFull, as_in};
+use crate::grammar::is_mesh;
 use crate::graph::{OpGraph, Thing};
 use crate::grid::{Grid, LabelledBox};
 use crate::neighbours::settle;
@@ -27,7 +28,7 @@ use crate::space::{Bounds, Cell, Frame, Scope, Turn};
 use std::collections::BTreeMap;
 
 pub use body::Body;
-pub use brush::{Brush, Brushes, is_mesh};
+pub use brush::{Brush, Brushes};
 pub use carve::{Part, carve};
 pub use derive::{Placement, derive, quarter_turns};
 pub use error::{Kind, RunError, Warning};

@@ -6,7 +6,7 @@ use crate::facade::{Area, Drawing, Place};
 use roxmltree::{Document, Node, ParsingOptions};
 
 /// More nodes than this are no facade.
-const MOST_NODES: u32 = 8_000_000;
+const MOST_NODES: u32 = 4_000_000;
 /// Shapes in one another.
 const MOST_DEEP: usize = 256;
 /// Bounding boxes carry noise of about 1e-6; a child reaches no further out of its parent than this part of its size.
