@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use vox::facade::{
-    self, Drawing, Form, Learnt, Meanings, Method, Near, Options, Roof, Scale, Stretch, What, is_wall,
+    self, Drawing, Form, Learnt, Meanings, Method, Near, Options, Roof, Scale, Stretch, Variety, What,
+    is_wall,
 };
 use vox::grammar;
 use vox::graph::{Expr, OpGraph, lower, raise};

@@ -155,7 +155,7 @@ pub fn stretched(plan: &Plan, giving: &Giving, node: NodeId) -> Option<Stretched
         || giving.comes_again(plan, node, Again::Here);
     let grown = (seen.repeats.is_empty() && is_room).then(|| grown(giving, *axis, &seen)).flatten();
     let candidates = grown.into_iter().chain([seen]).flat_map(|split| [split.clone(), split.stiff_inside()]);
-    let guarded = candidates.map(|split| split.with_fillers().guarded(giving, natural));
+    let guarded = candidates.map(|split| split.with_fillers().guarded(giving, *axis, natural));
     let drawn: Vec<u32> = items.iter().flat_map(Item::written_out).map(|part| part.length).collect();
     guarded.into_iter().find(|split| split.holds(natural) && split.gives_back(&drawn))
 }
@@ -305,10 +305,10 @@ impl Stretched {
     }
 
     /// With the least scope for each hard part outside of repeats, and for those that share a repeat with walls. What is
-    /// nearest to the middle stays longest, doors before all.
-    fn guarded(mut self, giving: &Giving, natural: u32) -> Stretched {
+    /// nearest to the middle stays longest, of storeys the lowest, and doors before all.
+    fn guarded(mut self, giving: &Giving, axis: Side, natural: u32) -> Stretched {
         let mut sum = 0;
-        let levels = self.levels(giving);
+        let levels = self.levels(giving, axis);
         for level in &levels {
             sum += level.iter().map(|at| self.whole(*at) + 1).sum::<u32>();
             self.show(level, (sum + 1).min(natural));
@@ -326,7 +326,7 @@ impl Stretched {
 
     /// The parts that are shown only where there is room, those that are shown first before the others. What stands wall to
     /// wall without a wall is one thing: a frame is not shown without its window.
-    fn levels(&self, giving: &Giving) -> Vec<Vec<usize>> {
+    fn levels(&self, giving: &Giving, axis: Side) -> Vec<Vec<usize>> {
         let has_share = |range: &Range<usize>| self.parts[range.clone()].iter().any(|part| part.is_share());
         let repeat = |at: usize| self.repeats.iter().position(|range| range.contains(&at));
         let is_free = |at: usize| repeat(at).is_none_or(|repeat| has_share(&self.repeats[repeat]));
@@ -339,7 +339,12 @@ impl Stretched {
         let rank = |things: &[usize]| {
             let is_door = |at: &usize| self.parts[*at].node.is_some_and(|node| giving.has_door[node]);
             let off = things.iter().map(|at| (2 * *at as i64 - middle).abs()).min().unwrap_or(0);
-            if things.iter().any(is_door) { -1 } else { off }
+            match axis {
+                _ if things.iter().any(is_door) => -1,
+                Side::X => off,
+                // Low houses have the lower storeys of high ones.
+                Side::Y => things[0] as i64,
+            }
         };
         let mut ranked: Vec<(i64, &[usize])> =
             shown.chunk_by(is_one).map(|things| (rank(things), things)).collect();
