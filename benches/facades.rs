@@ -15,7 +15,7 @@ mod real;
 #[path = "../tests/common/seed4.rs"]
 mod seed4;
 
-use common::table;
+use common::table::{self, mean};
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -38,6 +38,16 @@ fn main() {
     let rows = ROWS.map(|[across, up]| (format!("{across} x {up} windows"), layouts::rows(across, up)));
     let lines = random.into_iter().chain(rows).map(|(name, drawing)| line(name, &drawing, None));
     table::print(&HEAD, &lines.collect::<Vec<_>>());
+    let ratio = |seed| {
+        let drawing = layouts::layout(100, seed);
+        learnt(&drawing, Method::Searched).rules.length() / learnt(&drawing, Method::Greedy).rules.length()
+    };
+    println!("\nsearched to greedy, bits of 20 random layouts: {:.3}", mean((1..=20).map(ratio)));
+}
+
+fn learnt(drawing: &Drawing, method: Method) -> Facade {
+    let options = Options { method, ..Options::default() };
+    infer(std::slice::from_ref(drawing), &options).unwrap().facades.remove(0)
 }
 
 const HEAD: [&str; 10] =
@@ -56,13 +66,9 @@ fn real_layouts() {
 }
 
 fn line(name: String, drawing: &Drawing, theirs: Option<&Path>) -> Vec<String> {
-    let learn = |method| {
-        let options = Options { method, ..Options::default() };
-        infer(std::slice::from_ref(drawing), &options).unwrap().facades.remove(0)
-    };
-    let greedy = learn(Method::Greedy);
+    let greedy = learnt(drawing, Method::Greedy);
     let start = Instant::now();
-    let searched = learn(Method::Searched);
+    let searched = learnt(drawing, Method::Searched);
     let time = start.elapsed();
     let theirs = theirs.map(|path| seed4::rules(&fs::read_to_string(path).unwrap()));
     let rules = |facade: &Facade| facade.rules.list.len().to_string();
