@@ -79,6 +79,8 @@ const CUT: f64 = 0.02;
 /// So many random sets of lines are looked at for each axis.
 const RANDOM_SETS: usize = 6;
 const LARGEST_SET: usize = 5;
+/// Of more structures than this all lines are taken at once: sets of lines make ever new structures.
+const MOST_STRUCTURES: usize = 2_000;
 /// Repeated groups of a layout that lines are asked about.
 const MOST_ASKED: usize = 4_000;
 
@@ -220,12 +222,15 @@ impl Search<'_> {
         self.repeated.iter().take(MOST_ASKED).filter(is_cut).map(|group| group.leaves).sum()
     }
 
-    /// Sets of lines to cut a region by: all; those between repeats, and between what repeats and what does not; the one that
+    /// Sets of lines to cut a region by, of a layout with many structures all lines only. Else: all; those between repeats, and between what repeats and what does not; the one that
     /// cuts least; and some that are drawn, the likelier the less they cut.
     fn sets(&mut self, id: StructureId, region: &Region, axis: Side, cuts: &[u32]) -> Vec<Vec<u16>> {
         let all: Vec<u16> = (0..cuts.len() as u16).collect();
         let regions: Vec<Region> = self.cutter.parts(region, axis, cuts).collect();
         let ids: Vec<StructureId> = regions.iter().map(|part| self.structure(part)).collect();
+        if self.options.len() >= MOST_STRUCTURES {
+            return vec![all];
+        }
         let mut sets = vec![all];
         for folding in [Folding::Shortest, Folding::Greedy] {
             let (mut units, mut ends, mut at) = (Vec::new(), Vec::new(), 0);
