@@ -33,6 +33,8 @@ pub mod score;
 
 pub mod update;
 
+pub mod facade;
+
 pub mod io;
 
 pub mod view;

@@ -70,7 +70,7 @@ fn a_failed_run_leaves_no_file() {
     fs::write(folder.path().join("old.schem"), "kept").unwrap();
     vox(folder.path(), &["run", "tower.grammar", "--max-steps", "3", "-o", "old.schem"]).assert().code(1);
     vox(folder.path(), &["convert", "tower.grammar", "old.schem"]).assert().code(1);
-    vox(folder.path(), &["render", "tower.grammar", "-o", "new.png"]).assert().code(1);
+    vox(folder.path(), &["render", "old.schem", "-o", "new.png"]).assert().code(1);
     assert_eq!(names(folder.path()), ["old.schem", "tower.grammar"]);
     assert_eq!(fs::read_to_string(folder.path().join("old.schem")).unwrap(), "kept");
 }

@@ -1,9 +1,11 @@
+use super::facade;
 use super::failure::Failure;
 use super::input::{self, Limit};
 use super::output::{self, Output};
 use super::progress::Progress;
 use super::report;
 use super::update;
+use crate::facade::Variety;
 use crate::grammar::{self, Diagnostic};
 use crate::graph::{OpGraph, dot, lower, raise};
 use crate::grid::Grid;
@@ -22,15 +24,17 @@ const MOST_CELLS: u64 = 250_000;
 
 /// Learn a grammar from example buildings
 ///
-/// Before it writes, vox proves that the grammar derives every example, block for block.
+/// Examples are buildings, or layouts of facades: XML of nested labelled shapes, or a PNG with one colour a label. Before
+/// it writes, vox proves that the grammar derives every example, block for block.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
   vox infer house*.schem -o village.grammar --dot village.dot
   vox infer house1.obj house2.obj --scale 3 -o houses.grammar
+  vox infer layout.xml -o facade.grammar --building hip
   vox infer --update village.grammar house6.schem")]
 pub struct Args {
-    #[arg(required = true, help = input::FILES)]
+    #[arg(required = true, help = input::EXAMPLES)]
     examples: Vec<PathBuf>,
     /// A grammar to change as little as may be, so that it derives the examples as well: all else that is written in it
     /// stays
@@ -42,7 +46,7 @@ pub struct Args {
     /// Where to write the op graph, in Graphviz's dot language
     #[arg(long, value_name = "FILE")]
     dot: Option<PathBuf>,
-    /// Blocks per unit of OBJ coordinates
+    /// Blocks per unit of the coordinates of OBJ files and layouts
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
     /// How examples of blocks become rules; labelled boxes are always learnt by `boxes`
@@ -54,6 +58,8 @@ pub struct Args {
     /// How far what is learnt may leave the examples
     #[arg(long, value_enum, default_value_t)]
     freedom: Freedom,
+    #[command(flatten)]
+    layouts: facade::LayoutArgs,
     #[command(flatten)]
     limit: Limit,
     /// Print what was learnt as JSON. The grammar then goes to a file only
@@ -106,6 +112,15 @@ fn method(args: &Args) -> infer::Method {
     }
 }
 
+impl From<Freedom> for Variety {
+    fn from(freedom: Freedom) -> Variety {
+        match freedom {
+            Freedom::Seen => Variety::None,
+            Freedom::Free => Variety::Exchanged,
+        }
+    }
+}
+
 pub fn execute(args: &Args) -> Result<(), Failure> {
     let Args { examples, dot, limit, json, .. } = args;
     let known = args.update.as_deref().unwrap_or(Path::new("-"));
@@ -129,6 +144,18 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
 
 fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
     let paths = input::paths(&args.examples)?;
+    let task = facade::Task {
+        paths: &paths,
+        output,
+        dot: args.dot.as_deref(),
+        scale: args.scale,
+        variety: args.freedom.into(),
+        limit: args.limit,
+        json: args.json,
+    };
+    if facade::learn(&args.layouts, &task)?.is_some() {
+        return Ok(());
+    }
     let reading = args.limit.scaled(args.scale);
     let progress = Progress::new(paths.len());
     let mut examples = Vec::with_capacity(paths.len());
@@ -143,7 +170,7 @@ fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
     tell_losses(&paths, &examples);
     let mut learnt = infer::infer(&examples, method(args), args.freedom.into())
         .map_err(|error| failure(&paths, &error))?;
-    learnt.graph.preamble = preamble(&paths);
+    learnt.graph.preamble = preamble(&paths, ["one house:", "houses:"]);
     let text = learnt.grammar().to_string();
     let Learnt { labels, by, .. } = learnt;
     let graph = read_back(&text)?;
@@ -188,14 +215,15 @@ fn failure(paths: &[PathBuf], error: &InferError) -> Failure {
     }
 }
 
-fn preamble(paths: &[PathBuf]) -> Vec<String> {
+/// Which files a grammar was learnt from; `[one, several]` say what they are.
+pub fn preamble(paths: &[PathBuf], [one, several]: [&str; 2]) -> Vec<String> {
     let names: Vec<String> = paths
         .iter()
         .map(|path| {
             path.file_name().map_or_else(|| input::name(path), |name| name.to_string_lossy().into_owned())
         })
         .collect();
-    let houses = if paths.len() == 1 { "one house:".to_owned() } else { format!("{} houses:", paths.len()) };
+    let houses = if paths.len() == 1 { one.to_owned() } else { format!("{} {several}", paths.len()) };
     let mut lines = vec![format!("Learnt by vox from {houses}")];
     for name in names {
         match lines.last_mut() {
@@ -207,7 +235,7 @@ fn preamble(paths: &[PathBuf]) -> Vec<String> {
 }
 
 /// What the text says is what is proved, not what it was printed from.
-fn read_back(text: &str) -> Result<OpGraph, Failure> {
+pub fn read_back(text: &str) -> Result<OpGraph, Failure> {
     let told = |findings: Vec<Diagnostic>| {
         let first = findings.first().map_or(String::new(), |finding| finding.message.clone());
         Failure::new(format!("the learnt grammar does not read back, which is a fault of vox: {first}"))
@@ -281,7 +309,7 @@ fn scores(outline: &Outline) -> String {
 }
 
 /// A number with its noun; a large one in words of ten.
-fn count(number: f64, noun: &str) -> String {
+pub fn count(number: f64, noun: &str) -> String {
     let plural = if number == 1.0 { "" } else { "s" };
     match number < 1e6 {
         true => format!("{number} {noun}{plural}"),

@@ -4,12 +4,14 @@ use super::failure::{self, Failure};
 use super::part;
 use super::report;
 use super::settings::Settings;
-use crate::grammar::{self, Checked, Loaded, Sources};
+use crate::grammar::{self, Checked, Loaded, Sources, is_mesh};
 use crate::graph::{OpGraph, lower};
 use crate::grid::Grid;
-use crate::io::{self, Content, Decoded, Limits, Options, ReadError, Scale};
+use crate::io::{self, Content, Decoded, Limits, ObjModel, Options, ReadError, Scale};
 use crate::run::{Library, RunError};
 use crate::space::Bounds;
+use std::collections::BTreeMap;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The kinds of files that hold blocks, by their endings.
@@ -32,6 +34,17 @@ pub const BUILDINGS: &str = concat!(with_blocks!(), by_content!());
 
 /// What a command reads that takes labelled boxes as well.
 pub const FILES: &str = concat!(with_blocks!(), ", .obj of labelled boxes (`o name`)", by_content!());
+
+/// What rules are learnt from.
+pub const EXAMPLES: &str = concat!(
+    with_blocks!(),
+    ", .obj of labelled boxes (`o name`), .xml or .png of a facade's layout",
+    by_content!()
+);
+
+/// What can be drawn.
+pub const DRAWN: &str =
+    concat!(with_blocks!(), ", .xml or .png of a facade's layout, or a .grammar", by_content!());
 
 /// The files that the arguments name: a pattern that the shell left alone is looked up here.
 pub fn paths(args: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
@@ -271,13 +284,47 @@ pub fn program(path: &Path, start: Option<&str>, settings: &Settings) -> Result<
 pub fn library(graph: &OpGraph, grammar: &Path) -> Result<Library, Failure> {
     let folder = grammar.parent().unwrap_or(Path::new("."));
     let mut library = Library::new();
-    for file in graph.files() {
+    for file in graph.files().into_iter().filter(|file| !is_mesh(file)) {
         let read = grid(&folder.join(file), &Reading::default());
         let named =
             |failure: Failure| failure.hint("the grammar names this file: it is looked for beside it");
         library.insert(file.to_owned(), read.map_err(named)?);
     }
     Ok(library)
+}
+
+/// The meshes that a graph names, looked for beside its grammar.
+pub fn models(graph: &OpGraph, grammar: &Path) -> Result<BTreeMap<String, ObjModel>, Failure> {
+    let folder = grammar.parent().unwrap_or(Path::new("."));
+    let mut models = BTreeMap::new();
+    for file in graph.files().into_iter().filter(|file| is_mesh(file)) {
+        let path = folder.join(file);
+        let bytes = bytes(&path, Limits::default().max_bytes)?;
+        let model = io::decode_obj_model(&bytes).map_err(|error| Failure::of_file(&name(&path), error))?;
+        models.insert(file.to_owned(), model);
+    }
+    Ok(models)
+}
+
+/// The bytes of a layout, if that is what a file holds. What comes in on standard input is taken for a building.
+pub fn layout(path: &Path, most: u64) -> Result<Option<Vec<u8>>, Failure> {
+    const HEAD: u64 = 1024;
+    if is_stdio(path) || path.is_dir() {
+        return Ok(None);
+    }
+    let mut head = Vec::new();
+    let read = std::fs::File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    // What cannot be opened is told of as other buildings are.
+    match read.is_ok() && io::is_layout(&head) {
+        true => bytes(path, most).map(Some),
+        false => Ok(None),
+    }
+}
+
+/// A text beside a layout, which says what it means.
+pub fn said<T: std::str::FromStr<Err: std::fmt::Display>>(path: &Path) -> Result<T, Failure> {
+    let text = text_of(path).map_err(|problem| Failure::of_file(&name(path), problem))?;
+    text.parse().map_err(|error| Failure::of_file(&name(path), error))
 }
 
 /// Tells of an error of a run at its place in the text.

@@ -10,6 +10,7 @@ mod derivation_file;
 mod diff;
 mod encoding;
 mod explain;
+mod facade;
 mod failure;
 mod fix;
 mod fmt;

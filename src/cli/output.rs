@@ -27,6 +27,10 @@ impl Output {
     pub fn path(&self) -> &Path {
         &self.path
     }
+
+    pub fn append(&mut self, text: &str) {
+        self.bytes.extend_from_slice(text.as_bytes());
+    }
 }
 
 /// Labelled boxes, one OBJ object each.

@@ -12,10 +12,12 @@ use super::template::Template;
 use super::watch::watch;
 use crate::grammar::Sources;
 use crate::grid::Grid;
-use crate::run::{self, Labels, Library, Limits, Made, Observer, Options, Overrun};
+use crate::io::{self, ObjModel, PlacedModel};
+use crate::run::{self, Labels, Library, Limits, Made, MeshPlace, Observer, Options, Overrun};
 use crate::space::Cell;
 use clap::ValueEnum;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Where to write, for the help text.
@@ -108,6 +110,8 @@ impl OverrunArg {
 pub struct Ready {
     program: Program,
     library: Library,
+    /// What stands for blocks in OBJ files.
+    models: BTreeMap<String, ObjModel>,
 }
 
 /// Sees each building and where it goes, before it is written.
@@ -171,7 +175,8 @@ pub fn build(args: &Args, ready: &Ready, look: &mut Look<'_>) -> Result<(), Fail
 pub fn ready(args: &Args) -> Result<Ready, Failure> {
     let program = input::program(&args.grammar, args.start.as_deref(), &args.settings)?;
     let library = input::library(&program.graph, &args.grammar)?;
-    Ok(Ready { program, library })
+    let models = input::models(&program.graph, &args.grammar)?;
+    Ok(Ready { program, library, models })
 }
 
 /// Whether what the arguments ask for can be written to such a file.
@@ -252,17 +257,43 @@ fn make_blocks<'g>(
     path: &Path,
     (labels, look): (Option<&mut Labels<'g>>, &mut Look<'_>),
 ) -> Result<Building, Failure> {
-    let Ready { program, library } = ready;
+    let Ready { program, library, models } = ready;
     let made = run::run_observed(&program.graph, library, &options(args, seed), observer(labels));
-    let grid = told(&program.sources, made.map_err(|error| input::run_failure(&program.sources, &error))?);
+    let mut grid =
+        told(&program.sources, made.map_err(|error| input::run_failure(&program.sources, &error))?);
     look(path, &grid);
     let mut tally = Tally::default();
     tally.blocks(&grid);
     let (size, what) = (grid.size(), summary::building(&grid, args.writing.split));
-    let outputs = args.writing.grid(path, grid)?;
+    let meshes = match models.is_empty() || args.writing.kind(path)? != Kind::Obj {
+        true => Vec::new(),
+        false => meshes(args, ready, seed, &mut grid)?,
+    };
+    let mut outputs = args.writing.grid(path, grid)?;
+    if let Some(mesh) = outputs.iter_mut().find(|output| output.path() == path) {
+        mesh.append(&io::encode_obj_models(&meshes));
+    }
     output::write(&outputs, &program.files)?;
     let files = args.writing.pieces(path, &outputs).into_iter().map(Path::to_owned).collect();
     Ok(Building { size, what, tally, files })
+}
+
+/// The meshes of a building, in place of the blocks that stand for them.
+fn meshes<'r>(
+    args: &Args,
+    ready: &'r Ready,
+    seed: u64,
+    grid: &mut Grid,
+) -> Result<Vec<PlacedModel<'r>>, Failure> {
+    let places = run::run_meshes(&ready.program.graph, &options(args, seed));
+    let places = places.map_err(|error| input::run_failure(&ready.program.sources, &error))?;
+    let place = |place: MeshPlace| {
+        grid.fill(place.bounds, 0);
+        let model = ready.models.get(&place.file)?;
+        let material = place.block.map_or_else(String::new, |block| block.short_name().to_owned());
+        Some(PlacedModel { name: place.file, model, material, bounds: place.bounds, turn: place.turn })
+    };
+    Ok(places.into_iter().filter_map(place).collect())
 }
 
 fn observer<'o, 'g>(labels: Option<&'o mut Labels<'g>>) -> Option<&'o mut (dyn Observer + 'o)>

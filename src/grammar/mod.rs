@@ -19,6 +19,6 @@ pub use code::{Code, Explanation};
 pub use diagnostic::{Diagnostic, Severity, Span};
 pub use format::format;
 pub use load::{Loaded, load};
-pub use names::{Name, Names, PRIMITIVES, closest, is_primitive, is_reserved, reserved};
+pub use names::{Name, Names, PRIMITIVES, closest, is_mesh, is_primitive, is_reserved, reserved};
 pub use parse::parse;
 pub use sources::{Place, Sources};

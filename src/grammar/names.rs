@@ -45,6 +45,11 @@ impl Names<'_> {
     }
 }
 
+/// Whether a file that a grammar names is a mesh, which stands in models and not among blocks.
+pub fn is_mesh(file: &str) -> bool {
+    file.get(file.len().saturating_sub(4)..).is_some_and(|ending| ending.eq_ignore_ascii_case(".obj"))
+}
+
 /// The operations that have braces.
 pub const OPERATIONS: [&str; 18] = [
     "split",

@@ -20,6 +20,7 @@ mod file;
 mod format;
 mod gzip;
 mod kinds;
+mod layout;
 mod legacy;
 mod limits;
 mod litematic;
@@ -46,11 +47,15 @@ pub use error::{ReadError, WriteError};
 pub use file::{Staged, read, read_bytes, write_atomic};
 pub use format::{Format, is_region};
 pub use gzip::GzipError;
+pub use layout::{Colours, ColoursError, ColoursProblem, LayoutError, decode_layout, is_layout};
 pub use limits::Limits;
 pub use litematic::{LitematicVersion, encode_litematic};
 pub use lost::Lost;
 pub use magica::{MagicaError, encode_vox};
-pub use obj::{ObjError, ObjMesh, ObjProblem, Scale, decode_obj_boxes, encode_obj_boxes, encode_obj_mesh};
+pub use obj::{
+    ObjError, ObjMesh, ObjModel, ObjProblem, PlacedModel, Scale, decode_obj_boxes, decode_obj_model,
+    encode_obj_boxes, encode_obj_mesh, encode_obj_models,
+};
 pub use options::{Jigsaws, Options};
 pub use region::{ChunkProblem, EncodedRegions, encode_regions, read_world};
 pub use schem::{SchemVersion, encode_schem};

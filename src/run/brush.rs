@@ -7,7 +7,7 @@ use super::place::Place;
 use super::settings;
 use super::{roof, solid};
 use crate::block::{self, BlockState, Facing, Family, Shape};
-use crate::grammar::is_primitive;
+use crate::grammar::{is_mesh, is_primitive};
 use crate::graph::Thing;
 use crate::grid::Grid;
 use crate::space::{Axis, Bounds, Cell, Scope, Turn};
@@ -116,6 +116,11 @@ impl<'l, 'g> Brushes<'l, 'g> {
 impl<'l> Brush<'l> {
     pub fn of(library: &'l Library, name: &Thing, material: Option<&Thing>) -> Result<Brush<'l>, Kind> {
         match (name, material) {
+            // A mesh is no blocks: what it is made of stands for it.
+            (Thing::File(file), material) if is_mesh(file) => {
+                let stone = Thing::Name("smooth_stone".to_owned());
+                block_of(material.unwrap_or(&stone)).map(Brush::Fill)
+            }
             (Thing::File(file), _) | (_, Some(Thing::File(file))) => {
                 library.get(file).map(Brush::Stamp).ok_or_else(|| Kind::NoFile(file.clone()))
             }

@@ -20,7 +20,8 @@ mod trail;
 mod why;
 
 use crate::block::{BlockState, PaletteFull, as_in};
-use crate::graph::OpGraph;
+use crate::grammar::is_mesh;
+use crate::graph::{OpGraph, Thing};
 use crate::grid::{Grid, LabelledBox};
 use crate::neighbours::settle;
 use crate::space::{Bounds, Cell, Frame, Scope, Turn};
@@ -147,6 +148,37 @@ pub fn run_boxes_observed(
         Ok(())
     })?;
     Ok(Made { made: boxes, warnings })
+}
+
+/// A mesh that stands among the blocks of a building.
+#[derive(Clone, PartialEq, Debug)]
+pub struct MeshPlace {
+    pub file: String,
+    /// The block that stands for it where there are blocks only.
+    pub block: Option<BlockState>,
+    pub bounds: Bounds,
+    pub turn: Turn,
+}
+
+/// Runs a graph and lists the meshes that it places.
+pub fn run_meshes(graph: &OpGraph, options: &Options) -> Result<Vec<MeshPlace>, RunError> {
+    let scope = start_scope(graph, options)?;
+    let mut meshes = Vec::new();
+    let things = Things::default();
+    derive(graph, &things, scope, options, None, &mut |placement| {
+        if let Thing::File(file) = placement.name
+            && is_mesh(file)
+        {
+            meshes.push(MeshPlace {
+                file: file.clone(),
+                block: placement.material.and_then(Thing::block),
+                bounds: placement.scope.bounds,
+                turn: placement.scope.frame.turn,
+            });
+        }
+        Ok(())
+    })?;
+    Ok(meshes)
 }
 
 fn start_scope(graph: &OpGraph, options: &Options) -> Result<Scope, RunError> {

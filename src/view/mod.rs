@@ -7,6 +7,7 @@
 mod camera;
 mod canvas;
 mod develop;
+mod drawing;
 mod isometric;
 mod options;
 mod png;
@@ -16,6 +17,7 @@ mod side;
 mod text;
 mod texture;
 
+pub use drawing::drawing;
 pub use isometric::{isometric, isometric_colors};
 pub use options::{Corner, Scale, ViewOptions};
 pub use png::png;

@@ -4,7 +4,7 @@ use super::expressions::is_thing;
 use super::{Checker, Expected, count};
 use crate::grammar::ast::*;
 use crate::grammar::names::{Name, Names, closest};
-use crate::grammar::{Code, PRIMITIVES, Span, is_primitive};
+use crate::grammar::{Code, PRIMITIVES, Span, is_mesh, is_primitive};
 
 impl<'g> Checker<'g> {
     pub(super) fn rule(&mut self, rule: &'g Rule) {
@@ -138,7 +138,8 @@ impl<'g> Checker<'g> {
         let is_other = match &name.kind {
             ExprKind::Name(text) => !is_primitive(text) && is_thing(text) && !self.is_defined(text, params),
             ExprKind::Block(text) => !is_primitive(text),
-            ExprKind::File(_) => true,
+            // A block stands for a mesh where there are blocks only.
+            ExprKind::File(file) => !is_mesh(file),
             _ => false,
         };
         if is_other {

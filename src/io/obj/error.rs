@@ -21,6 +21,8 @@ pub enum ObjProblem {
     TooFar(f64),
     #[error("the object `{0}` has no thickness along {1}: vox needs boxes")]
     Flat(String, crate::space::Axis),
+    #[error("there is no face: a model needs vertices and faces between them")]
+    NoFace,
     #[error("there is no labelled object: vox needs lines `o name`, each with vertices below it")]
     NoObject,
 }

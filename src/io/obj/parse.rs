@@ -97,19 +97,19 @@ impl Model {
 }
 
 /// A comment starts at a `#` that begins a word: labels may hold one.
-fn without_comment(line: &str) -> &str {
+pub(super) fn without_comment(line: &str) -> &str {
     let begins = |at: usize| line[..at].chars().next_back().is_none_or(char::is_whitespace);
     let comment = line.match_indices('#').find(|(at, _)| begins(*at));
     comment.map_or(line, |(at, _)| &line[..at])
 }
 
-fn split(line: &str) -> (&str, &str) {
+pub(super) fn split(line: &str) -> (&str, &str) {
     let line = line.trim();
     line.split_once(char::is_whitespace).map_or((line, ""), |(keyword, rest)| (keyword, rest.trim()))
 }
 
 /// The first three numbers; a weight and a colour may follow.
-fn coordinates(rest: &str) -> Result<[f64; 3], ObjProblem> {
+pub(super) fn coordinates(rest: &str) -> Result<[f64; 3], ObjProblem> {
     let words: Vec<&str> = rest.split_whitespace().collect();
     let [x, y, z] = *words.first_chunk::<3>().ok_or(ObjProblem::Coordinates(words.len()))?;
     Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])

@@ -25,6 +25,10 @@ impl Scale {
         (blocks_per_unit > 0.0 && blocks_per_unit.is_finite()).then_some(Scale(blocks_per_unit))
     }
 
+    pub fn blocks_per_unit(self) -> f64 {
+        self.0
+    }
+
     /// The whole number of blocks that `value` is up to noise. `all` is asked for a better scale.
     pub(super) fn snap(self, value: f64, all: impl Fn() -> Vec<f64>) -> Result<i32, ObjProblem> {
         let scaled = value * self.0;
