@@ -10,7 +10,9 @@ use std::num::NonZeroU32;
 use std::path::Path;
 use std::time::Instant;
 use vox::grid::Grid;
-use vox::shapes::{Building, Cost, Operation, Overlap, Rest, Search, Settings, Specification, Statistics, cost, search};
+use vox::shapes::{
+    Building, Cost, Operation, Overlap, Rest, Search, Settings, Specification, Statistics, cost, search,
+};
 
 const ALPHAS: [f64; 12] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 5.0, 10.0, 100.0];
 const SPECIFICATIONS: [Specification; 3] =
@@ -46,8 +48,15 @@ fn tables(buildings: &[(u32, Building)], cost: Cost) {
             for operation in OPERATIONS {
                 for overlap in OVERLAPS {
                     for alpha in ALPHAS {
-                        let settings =
-                            Settings { specification, operation, cost, alpha, overlap, rest: Rest::Left, ..Settings::default() };
+                        let settings = Settings {
+                            specification,
+                            operation,
+                            cost,
+                            alpha,
+                            overlap,
+                            rest: Rest::Left,
+                            ..Settings::default()
+                        };
                         let found = Statistics::of(building, &search(building, &settings));
                         let mut enter = |row: String| rows.entry(row).or_default().push(found);
                         if operation == Operation::Merge {
@@ -61,10 +70,17 @@ fn tables(buildings: &[(u32, Building)], cost: Cost) {
             }
         }
     }
-    println!("\n{cost:?} cost: averages, then medians, of the number of shapes, % matching, size, complexity");
+    println!(
+        "\n{cost:?} cost: averages, then medians, of the number of shapes, % matching, size, complexity"
+    );
     for (row, found) in rows {
         let of = |value: fn(&Statistics) -> f64| found.iter().map(value).collect::<Vec<f64>>();
-        let columns = [of(|s| s.shapes as f64), of(Statistics::matching_percent), of(|s| s.mean_size), of(|s| s.complexity)];
+        let columns = [
+            of(|s| s.shapes as f64),
+            of(Statistics::matching_percent),
+            of(|s| s.mean_size),
+            of(|s| s.complexity),
+        ];
         let means = columns.each_ref().map(|column| column.iter().sum::<f64>() / column.len() as f64);
         let medians = columns.map(|mut column| {
             column.sort_by(f64::total_cmp);
@@ -92,7 +108,8 @@ fn searches(buildings: &[(u32, Building)]) {
     for (name, settings) in kinds {
         let costs = buildings.iter().map(|(number, building)| {
             let shapes = search(building, &settings);
-            let cost = cost(building, &settings, shapes.iter().map(|shape| (shape.layer, shape.blocks.as_slice())));
+            let cost =
+                cost(building, &settings, shapes.iter().map(|shape| (shape.layer, shape.blocks.as_slice())));
             format!("E{number} {cost:7.2}")
         });
         println!("  {name:<13} {}", costs.collect::<Vec<_>>().join("  "));

@@ -143,3 +143,32 @@ fn a_watched_grammar_runs_again_when_a_file_of_it_changes() {
     until("18 added, 0 removed, 0 changed");
     assert!(child.wait().unwrap().success());
 }
+
+#[test]
+fn a_designer_chooses_rules_and_the_choices_give_the_building_again() {
+    let folder = folder();
+    vox(folder.path(), &["run", "tower.grammar", "-o", "tower.schem"]).assert().success();
+    let session = ["grow", "tower.schem", "--interactive", "-o", "mine.schem", "--save", "mine.json"];
+    let told = vox(folder.path(), &session)
+        .stdin("1\nlook\nundo\nmore\nback\nrandom\nfoo\n99\ndone\n")
+        .output()
+        .unwrap();
+    let told = String::from_utf8(told.stdout).unwrap();
+    for words in ["1 shape, ", "2 shapes, ", "`foo` is none of these", "there is no rule 99", "stone"] {
+        assert!(told.contains(words), "`{words}` is missing in:\n{told}");
+    }
+    vox(folder.path(), &["grow", "tower.schem", "--replay", "mine.json", "-o", "again.schem"])
+        .assert()
+        .success();
+    let read = |name| fs::read(folder.path().join(name)).unwrap();
+    assert_eq!(read("mine.schem"), read("again.schem"));
+}
+
+#[test]
+fn a_session_that_is_left_writes_nothing() {
+    let folder = folder();
+    vox(folder.path(), &["run", "tower.grammar", "-o", "tower.schem"]).assert().success();
+    let session = ["grow", "tower.schem", "--interactive", "-o", "mine.schem"];
+    vox(folder.path(), &session).stdin("1\nquit\n").assert().failure();
+    assert!(!folder.path().join("mine.schem").exists());
+}

@@ -10,8 +10,8 @@ use std::path::Path;
 use vox::block::BlockState;
 use vox::grid::Grid;
 use vox::shapes::{
-    Adjacency, Building, Cost, Enclosure, Growth, Operation, Overlap, Rest, Search, Settings, Shape, ShapeGrammar,
-    Specification, Statistics, cost, cut, grid, grow, search,
+    Adjacency, Building, Cost, Enclosure, Growth, Operation, Overlap, Rest, Search, Settings, Shape,
+    ShapeGrammar, Specification, Statistics, cost, cut, grid, grow, search,
 };
 use vox::space::{Axis, Cell, Turn};
 
@@ -42,13 +42,21 @@ fn rows(text: &str) -> Vec<Row> {
                 settings.operation = [Operation::Merge, Operation::Split, Operation::Both][choice()];
             }
             "Cost function" => settings.cost = [Cost::Additive, Cost::Varied, Cost::Alike][choice()],
-            "Overlap allowed" => settings.overlap = if value == "True" { Overlap::Shared } else { Overlap::Apart },
+            "Overlap allowed" => {
+                settings.overlap = if value == "True" { Overlap::Shared } else { Overlap::Apart }
+            }
             "Post split" => is_cut = value == "True",
             "Alpha" => settings.alpha = number(),
             "Number of shapes" => shapes = choice(),
             "Mean shape size" => blocks = number() * shapes as f64,
             "Number of 'redundant' identical shapes" => {
-                rows.push(Row { settings, is_cut, shapes, blocks: blocks.round() as usize, redundant: choice() });
+                rows.push(Row {
+                    settings,
+                    is_cut,
+                    shapes,
+                    blocks: blocks.round() as usize,
+                    redundant: choice(),
+                });
             }
             _ => {}
         }
@@ -72,7 +80,8 @@ fn example(folder: &Path, number: u32) -> (Building, Vec<Row>) {
     let bytes = std::fs::read(folder.join(format!("E{number}.schematic"))).expect("the example is there");
     let grid = vox::io::decode(&bytes, &vox::io::Limits::default()).expect("it is a schematic").content;
     let vox::io::Content::Grid(grid) = grid else { panic!("a schematic holds blocks") };
-    let log = std::fs::read_to_string(folder.join(format!("logs/experiment{number}.txt"))).expect("its log is there");
+    let log = std::fs::read_to_string(folder.join(format!("logs/experiment{number}.txt")))
+        .expect("its log is there");
     (Building::of(&grid), rows(&log))
 }
 
@@ -119,10 +128,11 @@ fn settings() -> impl Strategy<Value = Settings> {
     let operation = prop::sample::select(vec![Operation::Merge, Operation::Split, Operation::Both]);
     let cost = prop::sample::select(vec![Cost::Paper, Cost::Additive, Cost::Varied, Cost::Alike]);
     let few = NonZeroU32::new(2).unwrap();
-    let searches = vec![Search::Climb, Search::Restarts(few), Search::Backtracking(few), Search::Annealing(few)];
+    let searches =
+        vec![Search::Climb, Search::Restarts(few), Search::Backtracking(few), Search::Annealing(few)];
     let overlap = prop::sample::select(vec![Overlap::Apart, Overlap::Shared]);
-    (specification, operation, cost, prop::sample::select(searches), overlap, 0.0..3.0f64, any::<u64>()).prop_map(
-        |(specification, operation, cost, search, overlap, alpha, seed)| Settings {
+    (specification, operation, cost, prop::sample::select(searches), overlap, 0.0..3.0f64, any::<u64>())
+        .prop_map(|(specification, operation, cost, search, overlap, alpha, seed)| Settings {
             specification,
             operation,
             cost,
@@ -131,8 +141,7 @@ fn settings() -> impl Strategy<Value = Settings> {
             alpha,
             seed,
             rest: Rest::Searched,
-        },
-    )
+        })
 }
 
 const BLOCKS: [&str; 5] =
@@ -153,13 +162,15 @@ fn building() -> impl Strategy<Value = Grid> {
 
 /// Whether blocks are what a specification allows.
 fn is_legal(building: &Building, shape: &Shape) -> bool {
-    let cells: BTreeSet<[i32; 3]> = shape.blocks.iter().map(|block| building.cell(*block).to_array()).collect();
+    let cells: BTreeSet<[i32; 3]> =
+        shape.blocks.iter().map(|block| building.cell(*block).to_array()).collect();
     let extent = |axis: usize| {
         let places = cells.iter().map(|cell| cell[axis]);
         places.clone().max().unwrap() - places.min().unwrap() + 1
     };
     let is_flat = shape.layer.across().is_none_or(|across| extent(across.index()) == 1);
-    let is_full = !shape.layer.is_rectangular() || (0..3).map(extent).product::<i32>() as usize == cells.len();
+    let is_full =
+        !shape.layer.is_rectangular() || (0..3).map(extent).product::<i32>() as usize == cells.len();
     let mut left = cells.clone();
     let mut open: Vec<[i32; 3]> = left.pop_first().into_iter().collect();
     while let Some(cell) = open.pop() {
@@ -262,7 +273,10 @@ fn cube() -> Grid {
 #[test]
 fn enclosure_leaves_a_closed_building_and_nothing_of_a_wall() {
     let grammar = ShapeGrammar::learn(vec![cube()], &Settings::default());
-    assert!(grammar.parts.parts.iter().all(|part| !part.is_open), "every shape of the cube encloses its room");
+    assert!(
+        grammar.parts.parts.iter().all(|part| !part.is_open),
+        "every shape of the cube encloses its room"
+    );
     let whole = grow(&grammar, &growth(200, 1, Enclosure::Enforced, Adjacency::Ignored));
     let production = whole.production(&grammar).unwrap();
     assert!(!production.is_empty(), "a building of many steps is closed");

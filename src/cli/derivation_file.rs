@@ -34,11 +34,15 @@ pub fn read(path: &Path, grammar: &ShapeGrammar) -> Result<Derivation, Failure> 
     let bad = |what: &str| Failure::of_file(&name, what);
     if value["format"] != FORMAT {
         let failure = bad("this holds no choices of `vox grow`");
-        return Err(failure.hint(format!("such a file says \"format\": \"{FORMAT}\", and is written by `--save`")));
+        return Err(
+            failure.hint(format!("such a file says \"format\": \"{FORMAT}\", and is written by `--save`"))
+        );
     }
     if value["grammar"] != grammar.checksum() {
         let failure = bad("these choices were made with other examples, or with other options");
-        return Err(failure.hint("give the same buildings in the same order, and the same `--spec`, `--alpha` and the like"));
+        return Err(failure.hint(
+            "give the same buildings in the same order, and the same `--spec`, `--alpha` and the like",
+        ));
     }
     let derivation = parsed(&value).map_err(|field| bad(&format!("`{field}` is not as expected")))?;
     derivation.production(grammar).map_err(|error| bad(&error.to_string()))?;
@@ -53,8 +57,10 @@ fn parsed(value: &Value) -> Result<Derivation, &'static str> {
         Some(Application { shape: number(shape)?, rule: number(rule)? })
     };
     let list = |field: &'static str| value[field].as_array().ok_or(field);
-    let steps = list("steps")?.iter().map(step).collect::<Option<_>>().ok_or("steps: [[shape, rule], ...]")?;
-    let removed = list("removed")?.iter().map(number).collect::<Option<_>>().ok_or("removed: [shape, ...]")?;
+    let steps =
+        list("steps")?.iter().map(step).collect::<Option<_>>().ok_or("steps: [[shape, rule], ...]")?;
+    let removed =
+        list("removed")?.iter().map(number).collect::<Option<_>>().ok_or("removed: [shape, ...]")?;
     let enclosure = match value["enclose"].as_bool().ok_or("enclose")? {
         true => Enclosure::Enforced,
         false => Enclosure::Ignored,

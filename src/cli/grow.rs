@@ -144,13 +144,15 @@ fn write(
     summary: &mut Summary,
 ) -> Result<(), Failure> {
     let grid = built(grammar, derivation, version)?;
-    let (size, what, blocks) = (grid.size().to_array(), summary::building(&grid, args.writing.split), grid.blocks());
+    let (size, what, blocks) =
+        (grid.size().to_array(), summary::building(&grid, args.writing.split), grid.blocks());
     if blocks == 0 {
         return Err(empty(output, derivation));
     }
     let mut outputs = args.writing.grid(output, grid)?;
     let files: Vec<PathBuf> = args.writing.pieces(output, &outputs).into_iter().map(Path::to_owned).collect();
-    outputs.extend(args.save.iter().map(|path| Output::new(path, derivation_file::text(grammar, derivation))));
+    outputs
+        .extend(args.save.iter().map(|path| Output::new(path, derivation_file::text(grammar, derivation))));
     output::write(&outputs, inputs)?;
     match args.json {
         true => output::json(&json!({
@@ -179,7 +181,9 @@ fn built(grammar: &ShapeGrammar, derivation: &Derivation, version: Option<i32>) 
 fn empty(output: &Path, derivation: &Derivation) -> Failure {
     let failure = Failure::of_file(&output.display().to_string(), "nothing is left of this building");
     failure.hint(match derivation.enclosure {
-        Enclosure::Enforced => "none of its shapes encloses anything: more `--steps`, or another `--seed`, may close it",
+        Enclosure::Enforced => {
+            "none of its shapes encloses anything: more `--steps`, or another `--seed`, may close it"
+        }
         Enclosure::Ignored => "its shapes meet as in no example: another `--seed` may end well",
     })
 }

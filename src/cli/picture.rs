@@ -16,7 +16,8 @@ impl Drawing {
     fn of(blocks: impl Iterator<Item = (Cell, String)>) -> Drawing {
         let blocks: BTreeMap<_, _> = blocks.map(|(cell, name)| (cell.to_array(), name)).collect();
         let cells = || blocks.keys().map(|cell| Cell::from_array(*cell));
-        let (low, high) = cells().fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
+        let (low, high) =
+            cells().fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
         Drawing { blocks, low, high }
     }
 
@@ -53,7 +54,12 @@ impl Drawing {
             text += "       ";
             for column in 0..=across.of(self.high - self.low) {
                 let height = if up == Axis::Y { up.of(self.high) - row } else { up.of(self.low) + row };
-                text.push(self.nearest(along, (across, across.of(self.low) + column), (up, height), &letters));
+                text.push(self.nearest(
+                    along,
+                    (across, across.of(self.low) + column),
+                    (up, height),
+                    &letters,
+                ));
             }
             text.truncate(text.trim_end().len());
             text.push('\n');
@@ -63,7 +69,13 @@ impl Drawing {
         text
     }
 
-    fn nearest(&self, along: Axis, column: (Axis, i32), row: (Axis, i32), letters: &BTreeMap<&str, char>) -> char {
+    fn nearest(
+        &self,
+        along: Axis,
+        column: (Axis, i32),
+        row: (Axis, i32),
+        letters: &BTreeMap<&str, char>,
+    ) -> char {
         let depths = (along.of(self.low)..=along.of(self.high)).rev();
         let mut blocks = depths.filter_map(|depth| {
             let mut cell = [0; 3];
@@ -97,7 +109,8 @@ pub fn building(grammar: &ShapeGrammar, production: &Production<'_>) -> String {
 
 /// A shape in a few words: its size and where it is.
 pub fn words(grammar: &ShapeGrammar, placed: &Placed) -> String {
-    let Drawing { low, high, .. } = Drawing::of(named(grammar, grammar.parts.blocks(placed.form, placed.placement)));
+    let Drawing { low, high, .. } =
+        Drawing::of(named(grammar, grammar.parts.blocks(placed.form, placed.placement)));
     let size = high - low + Cell::ONE;
     format!("{} x {} x {} at {}, {}, {}", size.x, size.y, size.z, low.x, low.y, low.z)
 }

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::output;
 use super::picture;
+use super::summary::counted;
 use crate::shapes::{self, Application, Derivation, Growth, Placed, Production, ShapeGrammar};
 use crate::space::Cell;
 use std::fmt::Write;
@@ -87,7 +88,9 @@ fn offers(grammar: &ShapeGrammar, production: &Production<'_>, most: Cell) -> Ve
     for (shape, left) in production.placed().iter().enumerate() {
         for (rule, found) in grammar.rules_of(left.form) {
             let placed = grammar.right(found, left);
-            let is_new = offers.iter().all(|(_, other)| (other.form, other.placement) != (placed.form, placed.placement));
+            let is_new = offers
+                .iter()
+                .all(|(_, other)| (other.form, other.placement) != (placed.form, placed.placement));
             if is_new && production.fits(&placed) && shapes::is_within(production, &placed, most) {
                 offers.push((Application { shape, rule }, placed));
             }
@@ -110,11 +113,17 @@ fn offered(
     page: usize,
 ) -> String {
     let mut text = String::new();
-    let shapes = production.placed().len();
-    let _ = writeln!(text, "{shapes} shapes, {} rules fit", offers.len());
+    let shapes = counted(production.placed().len() as u64, "shape", "shapes");
+    let _ = writeln!(text, "{shapes}, {} to choose from", counted(offers.len() as u64, "rule", "rules"));
     let shown = offers.iter().enumerate().skip(page * PAGE).take(PAGE);
     for (number, (step, placed)) in shown {
-        let _ = writeln!(text, "\n{:>3}  {}, beside shape {}", number + 1, picture::words(grammar, placed), step.shape + 1);
+        let _ = writeln!(
+            text,
+            "\n{:>3}  {}, beside shape {}",
+            number + 1,
+            picture::words(grammar, placed),
+            step.shape + 1
+        );
         text += &picture::shape(grammar, production, placed);
     }
     let left = offers.len().saturating_sub((page + 1) * PAGE);

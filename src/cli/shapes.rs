@@ -4,9 +4,7 @@ use super::output::{self, Output};
 use super::progress::Progress;
 use super::shaping::Shaping;
 use crate::grid::Grid;
-use crate::shapes::{
-    self, Building, Part, Rest, Settings, ShapeGrammar, Spread, Statistics,
-};
+use crate::shapes::{self, Building, Part, Rest, Settings, ShapeGrammar, Spread, Statistics};
 use crate::view::{self, ViewOptions};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -69,7 +67,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     let grammar = ShapeGrammar::of(&grids);
     drop(progress);
     let mut outputs = pictures(args, &paths, &grids, &grammar)?;
-    outputs.extend(args.dot.iter().map(|path| Output::new(path, shapes::dot(&grammar, shapes::color))));
+    outputs.extend(args.dot.iter().map(|path| Output::new(path, shapes::dot(&grammar))));
     output::write(&outputs, &paths)?;
     tell(args, &paths, &grammar, &found)
 }
@@ -155,11 +153,17 @@ fn table(path: &Path, grammar: &ShapeGrammar, example: usize, found: &Found) -> 
         let _ = writeln!(text, "  {name:<16}{value}");
     };
     line("shapes", statistics.shapes.to_string());
-    line("blocks of each", format!(
-        "{:.1} on average, {} in the middle, {} to {}",
-        statistics.mean_size, statistics.median_size, statistics.smallest, statistics.largest
-    ));
-    line("alike", format!("{} as one before them ({:.0} %)", statistics.redundant, statistics.matching_percent()));
+    line(
+        "blocks of each",
+        format!(
+            "{:.1} on average, {} in the middle, {} to {}",
+            statistics.mean_size, statistics.median_size, statistics.smallest, statistics.largest
+        ),
+    );
+    line(
+        "alike",
+        format!("{} as one before them ({:.0} %)", statistics.redundant, statistics.matching_percent()),
+    );
     line("matching", format!("{} as one before them, turned or not", matching(grammar, example)));
     line("complexity", format!("{:.3} block types a block", statistics.complexity));
     line("cost", format!("{cost:.2}"));

@@ -19,7 +19,9 @@ pub struct Shaped {
 /// The shapes of an example: rectangles, which are boxes one block thick, that share no block. Those that would share a cell
 /// with `taken` are left out.
 pub fn shaped(example: &Example, taken: &[Site], terminals: &mut Terminals) -> Shaped {
-    let (Example::Blocks(grid), Some(cells)) = (example, example.cells(terminals)) else { return Shaped::default() };
+    let (Example::Blocks(grid), Some(cells)) = (example, example.cells(terminals)) else {
+        return Shaped::default();
+    };
     let building = Building::of(grid);
     let mut shaped = Shaped::default();
     for shape in search(&building, &Settings::default()) {

@@ -64,7 +64,8 @@ impl Groups {
         let mut touched = [leaving, entering].concat();
         touched.sort_unstable();
         touched.dedup();
-        let of = |group: usize, groups: &[usize]| groups.iter().filter(|other| **other == group).count() as u32;
+        let of =
+            |group: usize, groups: &[usize]| groups.iter().filter(|other| **other == group).count() as u32;
         let change = |group: usize| {
             let before = self.counts[group];
             let after = before + of(group, entering) - of(group, leaving);

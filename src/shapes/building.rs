@@ -71,7 +71,9 @@ impl Building {
     /// The blocks beside a block along the given axes.
     pub fn beside(&self, block: Block, axes: &[Axis]) -> impl Iterator<Item = Block> {
         let cell = self.cell(block);
-        axes.iter().flat_map(move |axis| [cell - axis.unit(), cell + axis.unit()]).filter_map(|cell| self.at(cell))
+        axes.iter()
+            .flat_map(move |axis| [cell - axis.unit(), cell + axis.unit()])
+            .filter_map(|cell| self.at(cell))
     }
 }
 

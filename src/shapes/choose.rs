@@ -27,7 +27,8 @@ fn largest_first(mut pieces: Vec<Piece>) -> Vec<Piece> {
 /// By what each block of a shape costs, so that each part of a building gets shapes of the specification that suits it.
 fn cheapest_first(settings: &Settings, mut pieces: Vec<Piece>) -> Vec<Piece> {
     let price = Price { cost: settings.cost, alpha: settings.alpha };
-    let per_block = |piece: &Piece| (price.per_shape() + price.measure(&piece.tally)) / piece.blocks.len() as f64;
+    let per_block =
+        |piece: &Piece| (price.per_shape() + price.measure(&piece.tally)) / piece.blocks.len() as f64;
     pieces.sort_by(|one, other| per_block(one).total_cmp(&per_block(other)));
     pieces
 }
@@ -45,7 +46,11 @@ fn is_apart_from(piece: &Piece, covered: &FixedBitSet) -> bool {
     piece.blocks.iter().all(|block| !covered[*block as usize])
 }
 
-fn kept(building: &Building, mut pieces: Vec<Piece>, keep: impl Fn(&Piece, &FixedBitSet) -> bool) -> Vec<Piece> {
+fn kept(
+    building: &Building,
+    mut pieces: Vec<Piece>,
+    keep: impl Fn(&Piece, &FixedBitSet) -> bool,
+) -> Vec<Piece> {
     let mut covered = FixedBitSet::with_capacity(building.len());
     pieces.retain(|piece| {
         let kept = keep(piece, &covered);

@@ -8,7 +8,9 @@ use std::collections::BTreeSet;
 /// Cuts shapes on floors, then on walls: what has blocks on both sides of the plane of a shape that it touches becomes two.
 /// The blocks in the plane go with what is below a floor, and with both sides of a wall.
 pub fn cut(building: &Building, shapes: Vec<Shape>) -> Vec<Shape> {
-    [Axis::Y, Axis::Z, Axis::X].into_iter().fold(shapes, |shapes, across| cut_across(building, shapes, across))
+    [Axis::Y, Axis::Z, Axis::X]
+        .into_iter()
+        .fold(shapes, |shapes, across| cut_across(building, shapes, across))
 }
 
 fn cut_across(building: &Building, mut shapes: Vec<Shape>, across: Axis) -> Vec<Shape> {
@@ -35,9 +37,12 @@ fn cut_across(building: &Building, mut shapes: Vec<Shape>, across: Axis) -> Vec<
 fn sides(building: &Building, shape: &Shape, across: Axis, plane: &Shape) -> Option<[Shape; 2]> {
     let place = |block: &Block| across.of(building.cell(*block));
     let at = place(plane.blocks.first()?);
-    let of = |side: std::cmp::Ordering| shape.blocks.iter().copied().filter(move |block| place(block).cmp(&at) == side);
-    let [below, within, above] = [std::cmp::Ordering::Less, std::cmp::Ordering::Equal, std::cmp::Ordering::Greater]
-        .map(|side| of(side).collect::<Vec<Block>>());
+    let of = |side: std::cmp::Ordering| {
+        shape.blocks.iter().copied().filter(move |block| place(block).cmp(&at) == side)
+    };
+    let [below, within, above] =
+        [std::cmp::Ordering::Less, std::cmp::Ordering::Equal, std::cmp::Ordering::Greater]
+            .map(|side| of(side).collect::<Vec<Block>>());
     if below.is_empty() || above.is_empty() {
         return None;
     }

@@ -61,7 +61,10 @@ impl Derivation {
     }
 
     /// The shapes that its steps give, before any is taken away.
-    pub fn production_as_chosen<'a>(&self, grammar: &'a ShapeGrammar) -> Result<Production<'a>, BadDerivation> {
+    pub fn production_as_chosen<'a>(
+        &self,
+        grammar: &'a ShapeGrammar,
+    ) -> Result<Production<'a>, BadDerivation> {
         let shapes = grammar.parts.parts.len();
         if self.start >= shapes {
             return Err(BadDerivation::Start(self.start, shapes));

@@ -9,7 +9,11 @@ use fixedbitset::FixedBitSet;
 /// Marks the shapes, from one on, whose both sides the outside of their example reaches: production leaves them alone.
 pub fn mark_open(parts: &mut Parts, first: usize) {
     let mut production = Production::new(parts);
-    let placed = parts.parts[first..].iter().map(|part| Placed { form: part.form, placement: part.placement, is_open: false });
+    let placed = parts.parts[first..].iter().map(|part| Placed {
+        form: part.form,
+        placement: part.placement,
+        is_open: false,
+    });
     placed.for_each(|placed| production.push(placed));
     let open = open(&production);
     for index in open {

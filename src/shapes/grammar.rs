@@ -59,15 +59,19 @@ impl ShapeGrammar {
             enter_rules(&mut rules, &parts, first, building, shapes);
             seen.enter(&parts, grid);
         }
-        let rules: Vec<Rule> =
-            rules.into_iter().map(|((left, right, placement), is_open)| Rule { left, right, placement, is_open }).collect();
-        let starts = (0..=parts.forms.len()).map(|form| rules.partition_point(|rule| rule.left < form)).collect();
+        let rules: Vec<Rule> = rules
+            .into_iter()
+            .map(|((left, right, placement), is_open)| Rule { left, right, placement, is_open })
+            .collect();
+        let starts =
+            (0..=parts.forms.len()).map(|form| rules.partition_point(|rule| rule.left < form)).collect();
         ShapeGrammar { parts, rules, starts, seen }
     }
 
     /// A number that is another for other shapes or rules.
     pub fn checksum(&self) -> u32 {
-        let parts: Vec<_> = self.parts.parts.iter().map(|part| (part.form, part.placement, part.is_open)).collect();
+        let parts: Vec<_> =
+            self.parts.parts.iter().map(|part| (part.form, part.placement, part.is_open)).collect();
         let states: Vec<String> = self.parts.states().map(ToString::to_string).collect();
         let text = format!("{states:?}{:?}{parts:?}{:?}", self.parts.forms, self.rules);
         twox_hash::XxHash32::oneshot(0, text.as_bytes())
@@ -112,7 +116,12 @@ fn touching(building: &Building, shapes: &[Shape]) -> BTreeSet<(usize, usize)> {
     for block in 0..building.len() as Block {
         for other in building.beside(block, &Axis::ALL) {
             for left in &holders[block as usize] {
-                pairs.extend(holders[other as usize].iter().filter(|right| *right != left).map(|right| (*left, *right)));
+                pairs.extend(
+                    holders[other as usize]
+                        .iter()
+                        .filter(|right| *right != left)
+                        .map(|right| (*left, *right)),
+                );
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use super::derivation::{Application, Derivation, Enclosure, result};
 use super::grammar::ShapeGrammar;
-use super::{enclosure, mend};
 use super::production::{Placed, Production};
+use super::{enclosure, mend};
 use crate::space::Cell;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -84,7 +84,8 @@ fn draw(
 ) -> Option<(Application, Placed)> {
     (0..TRIES).find_map(|_| {
         let shape = random.random_range(0..production.placed().len());
-        let rules: Vec<usize> = grammar.rules_of(production.placed()[shape].form).map(|(rule, _)| rule).collect();
+        let rules: Vec<usize> =
+            grammar.rules_of(production.placed()[shape].form).map(|(rule, _)| rule).collect();
         let step = Application { shape, rule: *rules.choose(random)? };
         let placed = result(grammar, production, step)?;
         may_stand(grammar, production, &placed, growth).then_some((step, placed))
@@ -92,7 +93,12 @@ fn draw(
 }
 
 /// Whether a shape can be added: it fits, keeps to the size, and where adjacency is enforced, spoils nothing for good.
-pub fn may_stand(grammar: &ShapeGrammar, production: &mut Production<'_>, placed: &Placed, growth: &Growth) -> bool {
+pub fn may_stand(
+    grammar: &ShapeGrammar,
+    production: &mut Production<'_>,
+    placed: &Placed,
+    growth: &Growth,
+) -> bool {
     if !production.fits(placed) || !is_within(production, placed, growth.most) {
         return false;
     }

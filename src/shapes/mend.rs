@@ -15,7 +15,12 @@ const PATIENCE: usize = 24;
 
 /// Applies, at the shapes with unseen neighbourhoods, the rules that leave the fewest of them, until there is none, no rule
 /// fits, or it gets no better; then takes away shapes that are part of one. Nothing at all may be left.
-pub fn mend(grammar: &ShapeGrammar, production: &mut Production<'_>, derivation: &mut Derivation, growth: &Growth) {
+pub fn mend(
+    grammar: &ShapeGrammar,
+    production: &mut Production<'_>,
+    derivation: &mut Derivation,
+    growth: &Growth,
+) {
     let mut unseen = grammar.seen.unseen(production);
     let (mut fewest, mut since) = (unseen.len(), 0);
     while !unseen.is_empty()
@@ -40,11 +45,14 @@ fn best(
 ) -> Option<(Application, Placed, Lows)> {
     let mut best: Option<(Application, Placed, Lows)> = None;
     for shape in at_fault(production, unseen) {
-        let rules: Vec<usize> = grammar.rules_of(production.placed()[shape].form).map(|(rule, _)| rule).collect();
+        let rules: Vec<usize> =
+            grammar.rules_of(production.placed()[shape].form).map(|(rule, _)| rule).collect();
         for rule in rules {
             let step = Application { shape, rule };
             let placed = result(grammar, production, step);
-            let Some(placed) = placed.filter(|placed| may_stand(grammar, production, placed, growth)) else { continue };
+            let Some(placed) = placed.filter(|placed| may_stand(grammar, production, placed, growth)) else {
+                continue;
+            };
             let left = after(grammar, production, placed, unseen);
             if best.as_ref().is_none_or(|(_, _, fewest)| left.len() < fewest.len()) {
                 best = Some((step, placed, left));
@@ -62,9 +70,9 @@ fn after(grammar: &ShapeGrammar, production: &mut Production<'_>, placed: Placed
     let left = if production.extent().map(|(low, _)| low.y) == ground {
         let cells: BTreeSet<[i32; 3]> = production.blocks(&placed).map(|(cell, _)| cell.to_array()).collect();
         let is_near = |low: &&[i32; 3]| {
-            cells.range([low[0], i32::MIN, i32::MIN]..=[low[0] + 1, i32::MAX, i32::MAX]).any(|cell| {
-                (0..3).all(|axis| (low[axis]..=low[axis] + 1).contains(&cell[axis]))
-            })
+            cells
+                .range([low[0], i32::MIN, i32::MIN]..=[low[0] + 1, i32::MAX, i32::MAX])
+                .any(|cell| (0..3).all(|axis| (low[axis]..=low[axis] + 1).contains(&cell[axis])))
         };
         let mut left: Lows = unseen.iter().filter(|low| !is_near(low)).copied().collect();
         left.extend(grammar.seen.unseen_near(production, cells.iter().copied().map(Cell::from_array)));
@@ -78,11 +86,13 @@ fn after(grammar: &ShapeGrammar, production: &mut Production<'_>, placed: Placed
 
 /// The shapes with a block in one of the neighbourhoods.
 fn at_fault(production: &Production<'_>, unseen: &Lows) -> Vec<usize> {
-    let is_in = |cell: Cell| {
-        super::seams::CORNERS.cells().any(|step| unseen.contains(&(cell - step).to_array()))
-    };
+    let is_in =
+        |cell: Cell| super::seams::CORNERS.cells().any(|step| unseen.contains(&(cell - step).to_array()));
     let placed = production.placed().iter().enumerate();
-    placed.filter(|(_, placed)| production.blocks(placed).any(|(cell, _)| is_in(cell))).map(|(index, _)| index).collect()
+    placed
+        .filter(|(_, placed)| production.blocks(placed).any(|(cell, _)| is_in(cell)))
+        .map(|(index, _)| index)
+        .collect()
 }
 
 /// Takes away the latest shape at fault of what is left in the end, one after the other.

@@ -36,7 +36,7 @@ pub use grammar::{Rule, ShapeGrammar};
 pub use graph::dot;
 pub use grow::{Adjacency, Growth, grow, is_within};
 pub use layer::Layer;
-pub use paint::{Spread, color, colors, paint};
+pub use paint::{Spread, colors, paint};
 pub use part::{Form, FormId, Part, Parts, Placement};
 pub use production::{Placed, Production};
 pub use search::search;

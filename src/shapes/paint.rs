@@ -45,7 +45,8 @@ pub fn paint(parts: &Parts, shapes: &[&Part], spread: Spread) -> Array3<u16> {
 /// Moves each shape away from the middle of all, by as much as its own middle is away from it.
 fn explode(shapes: &mut [(u16, Vec<Cell>)]) {
     let twice_middle = |cells: &mut dyn Iterator<Item = Cell>| {
-        let (low, high) = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
+        let (low, high) =
+            cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
         low + high
     };
     let all = twice_middle(&mut shapes.iter().flat_map(|(_, cells)| cells.iter().copied()));

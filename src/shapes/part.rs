@@ -129,7 +129,8 @@ pub struct Parts {
 impl Parts {
     /// Enters the shapes of one more example.
     pub fn enter(&mut self, example: usize, grid: &Grid, building: &Building, shapes: &[Shape]) {
-        let states: Vec<u32> = grid.palette().states().iter().map(|state| self.states.number(state)).collect();
+        let states: Vec<u32> =
+            grid.palette().states().iter().map(|state| self.states.number(state)).collect();
         for shape in shapes {
             let cells = shape.blocks.iter().map(|block| building.cell(*block));
             let blocks: Vec<(Cell, u32)> =

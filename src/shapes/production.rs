@@ -34,7 +34,14 @@ pub struct Production<'a> {
 
 impl<'a> Production<'a> {
     pub fn new(parts: &'a Parts) -> Production<'a> {
-        Production { parts, placed: Vec::new(), numbers: Vec::new(), pushed: 0, there: BTreeSet::new(), cells: FxHashMap::default() }
+        Production {
+            parts,
+            placed: Vec::new(),
+            numbers: Vec::new(),
+            pushed: 0,
+            there: BTreeSet::new(),
+            cells: FxHashMap::default(),
+        }
     }
 
     pub fn parts(&self) -> &'a Parts {
@@ -96,7 +103,9 @@ impl<'a> Production<'a> {
     fn may_be(&self, cell: Cell, state: u32) -> bool {
         match self.at(cell) {
             Some(other) => other == state,
-            None => self.has_room(cell, state) && around(cell).all(|beside| self.leaves_room(beside, cell, state)),
+            None => {
+                self.has_room(cell, state) && around(cell).all(|beside| self.leaves_room(beside, cell, state))
+            }
         }
     }
 

@@ -58,7 +58,8 @@ impl Seen {
         for turn in Turn::ALL {
             let back = Placement { turn: turn.inverse(), offset: [0; 3] };
             for low in lows.cells() {
-                let turned_state = |state| if state == GROUND { state } else { parts.states.turned(state, turn) };
+                let turned_state =
+                    |state| if state == GROUND { state } else { parts.states.turned(state, turn) };
                 let turned = |cell: Cell| at(low + back.apply(cell)).map(turned_state);
                 // The corners of a turned box: its low corner is elsewhere.
                 let corner = CORNERS.cells().map(|step| turn.apply(step)).fold(Cell::MAX, Cell::min);
@@ -77,7 +78,8 @@ impl Seen {
         let places = part.iter().enumerate().filter(|(_, state)| state.is_some());
         let bits = places.fold(0, |bits, (place, _)| bits | 1 << place);
         let in_part = self.in_part[bits].get_or_init(|| {
-            let masked = |whole: &Around| std::array::from_fn(|place| whole[place].filter(|_| bits >> place & 1 == 1));
+            let masked =
+                |whole: &Around| std::array::from_fn(|place| whole[place].filter(|_| bits >> place & 1 == 1));
             self.whole.iter().map(masked).collect()
         });
         in_part.contains(part)
@@ -90,7 +92,11 @@ impl Seen {
     }
 
     /// Those among them that hold one of the given cells.
-    pub fn unseen_near(&self, production: &Production<'_>, cells: impl Iterator<Item = Cell>) -> BTreeSet<[i32; 3]> {
+    pub fn unseen_near(
+        &self,
+        production: &Production<'_>,
+        cells: impl Iterator<Item = Cell>,
+    ) -> BTreeSet<[i32; 3]> {
         let ground = production.extent().map_or(0, |(low, _)| low.y);
         let at = |cell: Cell| if cell.y < ground { Some(GROUND) } else { production.at(cell) };
         let lows: BTreeSet<[i32; 3]> = lows(cells).collect();

@@ -55,7 +55,9 @@ pub fn notes(graph: &OpGraph, sights: &[Sight], examples: &[Example], by: Method
 fn head(graph: &OpGraph, by: Method, has_choices: bool) -> Vec<String> {
     let way = match by {
         Method::Joint => "Learnt from all of them at once: a rule holds wherever something like it stands.",
-        Method::Boxes | Method::Shapes => "Learnt from each by itself: what is equal in several of them is one rule.",
+        Method::Boxes | Method::Shapes => {
+            "Learnt from each by itself: what is equal in several of them is one rule."
+        }
     };
     let has = |name: &str| graph.constants.iter().any(|known| known.name == name);
     let has_materials = graph.constants.iter().any(|known| known.name != storeys::NAME);

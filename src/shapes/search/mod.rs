@@ -8,9 +8,9 @@ mod wander;
 pub use piece::Piece;
 
 use super::building::{Block, Building};
+use super::choose;
 use super::layer::Layer;
 use super::price::Price;
-use super::choose;
 use super::settings::{Cost, Operation, Rest, Search, Settings};
 use super::shape::Shape;
 use fixedbitset::FixedBitSet;

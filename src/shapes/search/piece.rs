@@ -19,7 +19,8 @@ pub struct Piece {
 impl Piece {
     pub fn new(building: &Building, layer: Layer, blocks: Vec<Block>) -> Piece {
         let cells = blocks.iter().map(|block| building.cell(*block));
-        let (low, high) = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
+        let (low, high) =
+            cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
         let tally = Tally::of(blocks.iter().map(|block| building.kind(*block)));
         Piece { layer, blocks, low, high, tally }
     }
@@ -45,7 +46,10 @@ impl Piece {
     /// Where it can be cut: the axis, and the first layer of the second part.
     pub fn cuts(&self) -> impl Iterator<Item = (Axis, i32)> + use<> {
         let (low, high) = (self.low, self.high);
-        self.layer.axes().iter().flat_map(move |axis| (axis.of(low) + 1..=axis.of(high)).map(move |at| (*axis, at)))
+        self.layer
+            .axes()
+            .iter()
+            .flat_map(move |axis| (axis.of(low) + 1..=axis.of(high)).map(move |at| (*axis, at)))
     }
 
     /// What lies on both sides of a cut.

@@ -75,7 +75,13 @@ const NOBODY: Id = Id::MAX;
 
 impl<'a> Set<'a> {
     /// Every block in every layer by itself, in the given order.
-    pub fn of_blocks(building: &'a Building, layers: &[Layer], order: &[Block], goal: Goal, splits: Splits) -> Set<'a> {
+    pub fn of_blocks(
+        building: &'a Building,
+        layers: &[Layer],
+        order: &[Block],
+        goal: Goal,
+        splits: Splits,
+    ) -> Set<'a> {
         let pieces = order.iter().flat_map(|block| layers.iter().map(|layer| (*layer, vec![*block])));
         Set::of(building, pieces, goal, splits)
     }
@@ -141,12 +147,17 @@ impl<'a> Set<'a> {
     /// The first merge within reach, in the order of the authors' program, and how much the cost rises by it.
     pub fn first_merge(&mut self, reach: Reach) -> Option<(Step, f64)> {
         let room = match (self.goal, reach) {
-            (Goal::Cheapest(price), Reach::NotDearer) if price.cost == Cost::Alike => return self.first_alike_merge(price),
-            (Goal::Cheapest(price), Reach::NotDearer) => price.room(self.sum, self.sum.count.saturating_sub(1)),
+            (Goal::Cheapest(price), Reach::NotDearer) if price.cost == Cost::Alike => {
+                return self.first_alike_merge(price);
+            }
+            (Goal::Cheapest(price), Reach::NotDearer) => {
+                price.room(self.sum, self.sum.count.saturating_sub(1))
+            }
             _ => f64::MAX,
         };
         let one = self.merges.first_at_most(room)? as Id;
-        let (&other, &change) = self.beside[one as usize].range(one + 1..).find(|(_, change)| **change <= room)?;
+        let (&other, &change) =
+            self.beside[one as usize].range(one + 1..).find(|(_, change)| **change <= room)?;
         Some((Step::Merge(one, other), self.rise(self.sum.count - 1, change)))
     }
 
@@ -167,9 +178,7 @@ impl<'a> Set<'a> {
     pub fn rise_by(&mut self, step: Step) -> f64 {
         match (self.goal, step) {
             (Goal::Cheapest(price), _) if price.cost == Cost::Alike => self.alike_rise(price, step),
-            (_, Step::Merge(one, other)) => {
-                self.rise(self.sum.count - 1, self.beside[one as usize][&other])
-            }
+            (_, Step::Merge(one, other)) => self.rise(self.sum.count - 1, self.beside[one as usize][&other]),
             (_, Step::Split(id, cut)) => {
                 let piece = self.piece(id);
                 let change = self.change_by_cut(piece, &piece.parts(self.building, cut));
@@ -204,7 +213,9 @@ impl<'a> Set<'a> {
 
     fn split(&mut self, id: Id, cut: (Axis, i32)) {
         let piece = self.remove(id);
-        let parts = piece.parts(self.building, cut).map(|part| self.push(Piece::new(self.building, piece.layer, part)));
+        let parts = piece
+            .parts(self.building, cut)
+            .map(|part| self.push(Piece::new(self.building, piece.layer, part)));
         parts.into_iter().for_each(|part| self.meet(part));
     }
 
@@ -258,8 +269,10 @@ impl<'a> Set<'a> {
         let piece = self.piece(id);
         let owners = &self.owners[piece.layer.index()];
         let around = piece.blocks.iter().flat_map(|block| self.building.beside(*block, piece.layer.axes()));
-        let others: BTreeSet<Id> =
-            around.map(|block| owners[block as usize]).filter(|other| *other != id && *other != NOBODY).collect();
+        let others: BTreeSet<Id> = around
+            .map(|block| owners[block as usize])
+            .filter(|other| *other != id && *other != NOBODY)
+            .collect();
         self.link(id, others);
     }
 
@@ -373,14 +386,18 @@ impl<'a> Set<'a> {
             Step::Merge(one, other) => (vec![one, other], vec![self.piece(one).joined(self.piece(other))]),
             Step::Split(id, cut) => {
                 let piece = self.piece(id);
-                let parts = piece.parts(self.building, cut).map(|part| Piece::new(self.building, piece.layer, part));
+                let parts =
+                    piece.parts(self.building, cut).map(|part| Piece::new(self.building, piece.layer, part));
                 (vec![id], parts.into())
             }
         };
-        let entering: Vec<usize> = made.iter().map(|piece| {
-            let look = alike::look(self.building, piece.layer, piece.low, piece.blocks.iter().copied());
-            self.groups.number(look, price.measure(&piece.tally))
-        }).collect();
+        let entering: Vec<usize> = made
+            .iter()
+            .map(|piece| {
+                let look = alike::look(self.building, piece.layer, piece.low, piece.blocks.iter().copied());
+                self.groups.number(look, price.measure(&piece.tally))
+            })
+            .collect();
         let leaving: Vec<usize> = leaving.into_iter().map(|id| self.group_of[id as usize]).collect();
         self.groups.rise(&leaving, &entering, price.per_shape())
     }

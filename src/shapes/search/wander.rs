@@ -46,7 +46,8 @@ pub fn backtracking(building: &Building, settings: &Settings, times: NonZeroU32)
 fn broken(pieces: &[Piece], random: &mut Pcg64Mcg) -> impl Iterator<Item = (Layer, Vec<Block>)> + use<> {
     let count = (pieces.len() / BROKEN).max(2);
     let mut shapes = Vec::new();
-    let drawn: Vec<usize> = rand::seq::index::sample(random, pieces.len(), count.min(pieces.len())).into_vec();
+    let drawn: Vec<usize> =
+        rand::seq::index::sample(random, pieces.len(), count.min(pieces.len())).into_vec();
     for (index, piece) in pieces.iter().enumerate() {
         match drawn.contains(&index) {
             true => shapes.extend(piece.blocks.iter().map(|block| (piece.layer, vec![*block]))),
@@ -106,7 +107,8 @@ struct Best<'a> {
 
 impl Best<'_> {
     fn new<'a>(building: &'a Building, settings: &'a Settings, pieces: Vec<Piece>) -> Best<'a> {
-        let cost = cost(building, settings, pieces.iter().map(|piece| (piece.layer, piece.blocks.as_slice())));
+        let cost =
+            cost(building, settings, pieces.iter().map(|piece| (piece.layer, piece.blocks.as_slice())));
         Best { building, settings, pieces, cost }
     }
 
