@@ -10,8 +10,8 @@ use std::path::Path;
 use vox::block::BlockState;
 use vox::grid::Grid;
 use vox::shapes::{
-    Adjacency, Building, Cost, Enclosure, Growth, Operation, Overlap, Rest, Search, Settings, Shape,
-    ShapeGrammar, Specification, Statistics, cost, cut, grid, grow, search,
+    Adjacency, Building, Cost, Enclosure, Growth, Layer, Operation, Overlap, Rest, Search, Settings, Shape,
+    ShapeGrammar, Specification, Statistics, cost, cut, grid, grow, search, search_in,
 };
 use vox::space::{Axis, Cell, Turn};
 
@@ -64,25 +64,29 @@ fn rows(text: &str) -> Vec<Row> {
     rows
 }
 
-fn found(building: &Building, row: &Row) -> Statistics {
-    let shapes = search(building, &row.settings);
+fn found(building: &Building, row: &Row, layers: &[Layer]) -> Statistics {
+    let shapes = search_in(building, &row.settings, layers);
     let shapes: Vec<Shape> = if row.is_cut { cut(building, shapes) } else { shapes };
     Statistics::of(building, &shapes)
 }
 
-fn agrees(building: &Building, row: &Row) -> bool {
-    let found = found(building, row);
+fn agrees(building: &Building, row: &Row, layers: &[Layer]) -> bool {
+    let found = found(building, row, layers);
     let blocks = (found.mean_size * found.shapes as f64).round() as usize;
     (found.shapes, blocks, found.redundant) == (row.shapes, row.blocks, row.redundant)
 }
 
-fn example(folder: &Path, number: u32) -> (Building, Vec<Row>) {
+fn layers(row: &Row) -> Vec<Layer> {
+    Layer::of(row.settings.specification)
+}
+
+fn example(folder: &Path, number: u32) -> (Grid, Vec<Row>) {
     let bytes = std::fs::read(folder.join(format!("E{number}.schematic"))).expect("the example is there");
     let grid = vox::io::decode(&bytes, &vox::io::Limits::default()).expect("it is a schematic").content;
     let vox::io::Content::Grid(grid) = grid else { panic!("a schematic holds blocks") };
     let log = std::fs::read_to_string(folder.join(format!("logs/experiment{number}.txt")))
         .expect("its log is there");
-    (Building::of(&grid), rows(&log))
+    (grid, rows(&log))
 }
 
 const EXAMPLES: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 9];
@@ -92,7 +96,8 @@ const EXAMPLES: [u32; 8] = [1, 2, 3, 4, 5, 6, 7, 9];
 fn recommended_parameters_give_what_the_authors_logged() {
     let Some(folder) = real::folder().map(|data| data.join("sigi")) else { return };
     for number in EXAMPLES {
-        let (building, rows) = example(&folder, number);
+        let (grid, rows) = example(&folder, number);
+        let building = Building::of(&grid);
         let recommended = rows.iter().filter(|row| {
             let Settings { specification, operation, cost, alpha, .. } = row.settings;
             (specification, operation, cost, alpha)
@@ -101,25 +106,46 @@ fn recommended_parameters_give_what_the_authors_logged() {
         let recommended: Vec<&Row> = recommended.collect();
         assert_eq!(recommended.len(), 4, "E{number}: with and without overlap, cut and not");
         for row in recommended {
-            assert!(agrees(&building, row), "E{number}, {:?}: {:?}", row.settings, found(&building, row));
+            let layers = layers(row);
+            assert!(agrees(&building, row, &layers), "E{number}: {:?}", found(&building, row, &layers));
         }
     }
 }
 
-/// Of all rows nine in ten agree; docs/decisions.md says where the others come from.
+/// The logs are of several states of the authors' program. By the one that most of them are of, nine rows in ten agree; by that
+/// which each is of, nineteen in twenty. docs/decisions.md says where the others come from.
 #[test]
 fn most_parameters_give_what_the_authors_logged() {
     let Some(folder) = real::folder().map(|data| data.join("sigi")) else { return };
-    let (mut agreeing, mut all) = (0, 0);
+    let (mut by_one, mut by_own, mut all) = (0, 0, 0);
     for number in EXAMPLES {
-        let (building, rows) = example(&folder, number);
-        let count = rows.iter().filter(|row| agrees(&building, row)).count();
-        println!("E{number}: {count} of {} rows agree", rows.len());
-        agreeing += count;
+        let (grid, rows) = example(&folder, number);
+        let (building, apart) = (Building::of(&grid), Building::of_types(&grid, with_half));
+        let one = |row: &&Row| agrees(&building, row, &layers(row));
+        let own = |row: &&Row| match (number, row.settings.cost, row.settings.specification) {
+            // The two halves of a door are two types, but not in the third cost.
+            (2, Cost::Additive | Cost::Varied, _) => agrees(&apart, row, &layers(row)),
+            // Solid shapes are searched once for each plane.
+            (9, _, Specification::Solid) => {
+                agrees(&building, row, &[Axis::Z, Axis::Y, Axis::X].map(Layer::Solid))
+            }
+            _ => one(row),
+        };
+        let count = |agrees: &dyn Fn(&&Row) -> bool| rows.iter().filter(|row| agrees(row)).count();
+        let found = [count(&one), count(&own)];
+        println!("E{number}: of {} rows {} agree, by its own program {}", rows.len(), found[0], found[1]);
+        by_one += found[0];
+        by_own += found[1];
         all += rows.len();
     }
-    println!("{agreeing} of {all} rows agree");
-    assert!(agreeing * 100 >= all * 91, "{agreeing} of {all}");
+    println!("of {all} rows {by_one} agree, by their own programs {by_own}");
+    assert!(by_one * 100 >= all * 92, "{by_one} of {all}");
+    assert!(by_own * 100 >= all * 95, "{by_own} of {all}");
+}
+
+/// The type of a block, for which the halves of a door are two.
+fn with_half(state: &BlockState) -> String {
+    format!("{}{}", state.short_name(), state.get("half").unwrap_or_default())
 }
 
 fn settings() -> impl Strategy<Value = Settings> {

@@ -7,15 +7,15 @@ use crate::space::{Axis, Cell};
 use rustc_hash::FxHashMap;
 
 /// What a shape looks like: the types of its blocks and where they are in its plane, from its lowest corner. Where it
-/// stands and which plane it is in do not count; solid shapes are seen from the south.
+/// stands and which plane it is in do not count, nor how deep solid shapes are.
 pub type Look = Vec<(i32, i32, Kind)>;
 
 /// The two axes of a layer's planes, those that match one another in the same order.
 pub fn axes(layer: Layer) -> [Axis; 2] {
-    match layer.across() {
-        Some(Axis::X) => [Axis::Z, Axis::Y],
-        Some(Axis::Y) => [Axis::X, Axis::Z],
-        Some(Axis::Z) | None => [Axis::X, Axis::Y],
+    match layer.seen_along() {
+        Axis::X => [Axis::Z, Axis::Y],
+        Axis::Y => [Axis::X, Axis::Z],
+        Axis::Z => [Axis::X, Axis::Y],
     }
 }
 

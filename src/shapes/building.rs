@@ -22,8 +22,15 @@ pub struct Building {
 }
 
 impl Building {
+    /// A building whose blocks are of one type if they have one name, whichever way they face and whatever they hang on. Two slabs
+    /// are the block that they make.
     pub fn of(grid: &Grid) -> Building {
-        let kinds = kinds(grid);
+        Building::of_types(grid, name)
+    }
+
+    /// A building whose blocks are of one type if they have one name in the words of `name`.
+    pub fn of_types(grid: &Grid, name: impl Fn(&BlockState) -> String) -> Building {
+        let kinds = kinds(grid, name);
         let size = grid.size();
         let mut building = Building { cells: Vec::new(), kinds: Vec::new(), size, places: Vec::new() };
         for x in 0..size.x {
@@ -78,17 +85,16 @@ impl Building {
 }
 
 /// The type of each block of the palette; none for air.
-fn kinds(grid: &Grid) -> Vec<Option<Kind>> {
+fn kinds(grid: &Grid, name: impl Fn(&BlockState) -> String) -> Vec<Option<Kind>> {
     let mut known = BTreeMap::new();
     let mut number = |state: &BlockState| {
         let next = known.len() as Kind;
-        *known.entry(kind(state)).or_insert(next)
+        *known.entry(name(state)).or_insert(next)
     };
     grid.palette().states().iter().map(|state| (!state.is_nothing()).then(|| number(state))).collect()
 }
 
-/// What a block is, whichever way it faces and whatever it hangs on. Two slabs are the block that they make.
-pub fn kind(state: &BlockState) -> String {
+fn name(state: &BlockState) -> String {
     let name = state.short_name().replace("wall_", "");
     if state.get("type") == Some("double") { name.replace("_slab", "") } else { name }
 }

@@ -14,8 +14,8 @@ pub fn cut(building: &Building, shapes: Vec<Shape>) -> Vec<Shape> {
 }
 
 fn cut_across(building: &Building, mut shapes: Vec<Shape>, across: Axis) -> Vec<Shape> {
-    // Solid shapes cut as if they stood in a plane, seen from the south.
-    let is_across = |shape: &&Shape| shape.layer.across().unwrap_or(Axis::Z) == across;
+    // Solid shapes cut as well, as if they stood in the plane of their first block.
+    let is_across = |shape: &&Shape| shape.layer.seen_along() == across;
     let planes: Vec<Shape> = shapes.iter().filter(is_across).cloned().collect();
     for plane in planes {
         let around: BTreeSet<Block> =

@@ -57,7 +57,7 @@ fn open(production: &Production<'_>) -> Vec<usize> {
 
 /// The axes along which a shape is one block thick.
 fn flat(production: &Production<'_>, placed: &Placed) -> impl Iterator<Item = Axis> + use<> {
-    let is_solid = production.parts().forms[placed.form].layer == Layer::Solid;
+    let is_solid = matches!(production.parts().forms[placed.form].layer, Layer::Solid(_));
     let cells = production.blocks(placed).map(|(cell, _)| cell);
     let (low, high) = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
     Axis::ALL.into_iter().filter(move |axis| !is_solid && axis.of(low) == axis.of(high))

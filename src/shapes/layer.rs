@@ -11,7 +11,8 @@ pub enum Layer {
     Rectangular(Axis),
     /// Plane shapes across an axis.
     Planar(Axis),
-    Solid,
+    /// Solid shapes. They are seen along an axis where they are compared as the authors' program does.
+    Solid(Axis),
 }
 
 /// The planes in the order of the authors' program.
@@ -25,8 +26,8 @@ impl Layer {
         match specification {
             Specification::Rectangular => rectangular().to_vec(),
             Specification::Planar => planar().to_vec(),
-            Specification::Solid => vec![Layer::Solid],
-            Specification::Mixed => [&rectangular()[..], &planar(), &[Layer::Solid]].concat(),
+            Specification::Solid => vec![Layer::Solid(Axis::Z)],
+            Specification::Mixed => [&rectangular()[..], &planar(), &[Layer::Solid(Axis::Z)]].concat(),
         }
     }
 
@@ -44,8 +45,14 @@ impl Layer {
     pub fn across(self) -> Option<Axis> {
         match self {
             Layer::Rectangular(across) | Layer::Planar(across) => Some(across),
-            Layer::Solid => None,
+            Layer::Solid(_) => None,
         }
+    }
+
+    /// The axis along which its shapes are seen.
+    pub fn seen_along(self) -> Axis {
+        let (Layer::Rectangular(axis) | Layer::Planar(axis) | Layer::Solid(axis)) = self;
+        axis
     }
 
     /// This layer of a building that is turned.
@@ -58,7 +65,7 @@ impl Layer {
         match self {
             Layer::Rectangular(axis) => Layer::Rectangular(across(axis)),
             Layer::Planar(axis) => Layer::Planar(across(axis)),
-            Layer::Solid => Layer::Solid,
+            Layer::Solid(axis) => Layer::Solid(axis),
         }
     }
 
@@ -71,10 +78,10 @@ impl Layer {
         match self {
             Layer::Rectangular(across) => across.index(),
             Layer::Planar(across) => 3 + across.index(),
-            Layer::Solid => 6,
+            Layer::Solid(axis) => 6 + axis.index(),
         }
     }
 
     /// The number of layers that there are.
-    pub const COUNT: usize = 7;
+    pub const COUNT: usize = 9;
 }

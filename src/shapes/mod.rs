@@ -39,7 +39,7 @@ pub use layer::Layer;
 pub use paint::{Spread, colors, paint};
 pub use part::{Form, FormId, Part, Parts, Placement};
 pub use production::{Placed, Production};
-pub use search::search;
+pub use search::{search, search_in};
 pub use settings::{Cost, LEAST, Operation, Overlap, Rest, Search, Settings, Specification};
 pub use shape::Shape;
 pub use statistics::Statistics;

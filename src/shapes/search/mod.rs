@@ -17,13 +17,27 @@ use fixedbitset::FixedBitSet;
 use set::{Goal, Reach, Set, Splits, Step};
 use std::cmp::Reverse;
 
+/// What is searched, and how.
+#[derive(Clone, Copy)]
+struct Task<'a> {
+    building: &'a Building,
+    settings: &'a Settings,
+    layers: &'a [Layer],
+}
+
 /// The shapes of a building, the largest first.
 pub fn search(building: &Building, settings: &Settings) -> Vec<Shape> {
+    search_in(building, settings, &Layer::of(settings.specification))
+}
+
+/// The same in layers of choice. Each of them may be there once.
+pub fn search_in(building: &Building, settings: &Settings, layers: &[Layer]) -> Vec<Shape> {
+    let task = Task { building, settings, layers };
     let pieces = match settings.search {
-        Search::Climb => climb_to_end(building, settings, &in_order(building)),
-        Search::Restarts(times) => wander::restarts(building, settings, times),
-        Search::Backtracking(times) => wander::backtracking(building, settings, times),
-        Search::Annealing(steps) => wander::annealing(building, settings, steps),
+        Search::Climb => climb_to_end(task, &in_order(building)),
+        Search::Restarts(times) => wander::restarts(task, times),
+        Search::Backtracking(times) => wander::backtracking(task, times),
+        Search::Annealing(steps) => wander::annealing(task, steps),
     };
     pieces.into_iter().map(|piece| Shape { layer: piece.layer, blocks: piece.blocks }).collect()
 }
@@ -34,12 +48,13 @@ fn in_order(building: &Building) -> Vec<Block> {
 
 /// What is kept of a climb from the given blocks. Blocks that are in nothing that is kept are climbed from again, if the
 /// settings say so.
-fn climb_to_end(building: &Building, settings: &Settings, order: &[Block]) -> Vec<Piece> {
-    finished(building, settings, climb(building, settings, order))
+fn climb_to_end(task: Task<'_>, order: &[Block]) -> Vec<Piece> {
+    finished(task, climb(task, order))
 }
 
 /// The pieces that are kept, with those of the blocks that are left over.
-fn finished(building: &Building, settings: &Settings, pieces: Vec<Piece>) -> Vec<Piece> {
+fn finished(task: Task<'_>, pieces: Vec<Piece>) -> Vec<Piece> {
+    let Task { building, settings, .. } = task;
     let mut kept = choose::chosen(building, settings, pieces);
     if settings.rest == Rest::Searched {
         loop {
@@ -47,7 +62,7 @@ fn finished(building: &Building, settings: &Settings, pieces: Vec<Piece>) -> Vec
             if left.is_empty() {
                 break;
             }
-            kept.extend(choose::chosen(building, settings, climb(building, settings, &left)));
+            kept.extend(choose::chosen(building, settings, climb(task, &left)));
         }
         kept.sort_by_key(|piece| Reverse(piece.blocks.len()));
     }
@@ -61,12 +76,12 @@ fn left_over(building: &Building, pieces: &[Piece]) -> Vec<Block> {
 }
 
 /// Climbs from single blocks, or from the largest shapes.
-fn climb(building: &Building, settings: &Settings, order: &[Block]) -> Vec<Piece> {
-    let layers = Layer::of(settings.specification);
+fn climb(task: Task<'_>, order: &[Block]) -> Vec<Piece> {
+    let Task { building, settings, layers } = task;
     let (goal, splits) = (goal(settings), splits(settings.operation));
     let set = match settings.operation {
-        Operation::Merge | Operation::Both => Set::of_blocks(building, &layers, order, goal, splits),
-        Operation::Split => Set::of(building, largest(building, &layers, order).into_iter(), goal, splits),
+        Operation::Merge | Operation::Both => Set::of_blocks(building, layers, order, goal, splits),
+        Operation::Split => Set::of(building, largest(building, layers, order).into_iter(), goal, splits),
     };
     let reach = first_reach(settings.cost);
     climbed(set, settings.operation, reach).into_pieces()

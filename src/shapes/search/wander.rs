@@ -3,24 +3,24 @@
 
 use super::piece::Piece;
 use super::set::{Goal, Reach, Set, Splits, Step};
-use super::{climb, climb_to_end, climbed, finished, goal, in_order};
-use crate::shapes::building::{Block, Building};
+use super::{Task, climb, climb_to_end, climbed, finished, goal, in_order};
+use crate::shapes::building::Block;
 use crate::shapes::cost::cost;
 use crate::shapes::layer::Layer;
-use crate::shapes::settings::{Operation, Settings};
+use crate::shapes::settings::Operation;
 use rand::seq::{IndexedRandom, SliceRandom};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::num::NonZeroU32;
 
 /// Climbs from the blocks in their order and in random orders, and keeps the cheapest set.
-pub fn restarts(building: &Building, settings: &Settings, times: NonZeroU32) -> Vec<Piece> {
-    let mut random = Pcg64Mcg::seed_from_u64(settings.seed);
-    let mut order = in_order(building);
-    let mut best = Best::new(building, settings, climb_to_end(building, settings, &order));
+pub fn restarts(task: Task<'_>, times: NonZeroU32) -> Vec<Piece> {
+    let mut random = Pcg64Mcg::seed_from_u64(task.settings.seed);
+    let mut order = in_order(task.building);
+    let mut best = Best::new(task, climb_to_end(task, &order));
     for _ in 0..times.get() {
         order.shuffle(&mut random);
-        best.offer(climb_to_end(building, settings, &order));
+        best.offer(climb_to_end(task, &order));
     }
     best.pieces
 }
@@ -29,14 +29,14 @@ pub fn restarts(building: &Building, settings: &Settings, times: NonZeroU32) -> 
 const BROKEN: usize = 10;
 
 /// Breaks pieces of the best set into blocks, climbs again, and goes on from there if what is kept is no dearer.
-pub fn backtracking(building: &Building, settings: &Settings, times: NonZeroU32) -> Vec<Piece> {
-    let mut random = Pcg64Mcg::seed_from_u64(settings.seed);
-    let mut whole = climb(building, settings, &in_order(building));
-    let mut best = Best::new(building, settings, finished(building, settings, whole.clone()));
+pub fn backtracking(task: Task<'_>, times: NonZeroU32) -> Vec<Piece> {
+    let mut random = Pcg64Mcg::seed_from_u64(task.settings.seed);
+    let mut whole = climb(task, &in_order(task.building));
+    let mut best = Best::new(task, finished(task, whole.clone()));
     for _ in 0..times.get() {
-        let set = Set::of(building, broken(&whole, &mut random), goal(settings), Splits::Wanted);
+        let set = Set::of(task.building, broken(&whole, &mut random), goal(task.settings), Splits::Wanted);
         let again = climbed(set, Operation::Both, Reach::NotDearer).into_pieces();
-        if best.offer(finished(building, settings, again.clone())) {
+        if best.offer(finished(task, again.clone())) {
             whole = again;
         }
     }
@@ -63,14 +63,14 @@ fn broken(pieces: &[Piece], random: &mut Pcg64Mcg) -> impl Iterator<Item = (Laye
 const HOTTEST: f64 = 2.0;
 
 /// Takes random steps, dearer ones with a probability that falls with what they cost and with time; then climbs.
-pub fn annealing(building: &Building, settings: &Settings, steps: NonZeroU32) -> Vec<Piece> {
-    let mut random = Pcg64Mcg::seed_from_u64(settings.seed);
-    let first = climb(building, settings, &in_order(building));
-    let mut best = Best::new(building, settings, finished(building, settings, first.clone()));
+pub fn annealing(task: Task<'_>, steps: NonZeroU32) -> Vec<Piece> {
+    let mut random = Pcg64Mcg::seed_from_u64(task.settings.seed);
+    let first = climb(task, &in_order(task.building));
+    let mut best = Best::new(task, finished(task, first.clone()));
     let shapes = first.into_iter().map(|piece| (piece.layer, piece.blocks));
-    let mut set = Set::of(building, shapes, goal(settings), Splits::Wanted);
-    let Goal::Cheapest(price) = goal(settings) else { return best.pieces };
-    let total = building.len() as u64 * u64::from(steps.get());
+    let mut set = Set::of(task.building, shapes, goal(task.settings), Splits::Wanted);
+    let Goal::Cheapest(price) = goal(task.settings) else { return best.pieces };
+    let total = task.building.len() as u64 * u64::from(steps.get());
     for step in 0..total {
         let cold = step as f64 / total as f64;
         let heat = HOTTEST * price.per_shape() * libm::pow(0.01, cold);
@@ -81,7 +81,7 @@ pub fn annealing(building: &Building, settings: &Settings, steps: NonZeroU32) ->
             }
         }
     }
-    best.offer(finished(building, settings, climbed(set, Operation::Both, Reach::NotDearer).into_pieces()));
+    best.offer(finished(task, climbed(set, Operation::Both, Reach::NotDearer).into_pieces()));
     best.pieces
 }
 
@@ -99,22 +99,21 @@ fn random_step(set: &Set<'_>, random: &mut Pcg64Mcg) -> Option<Step> {
 
 /// The cheapest set so far.
 struct Best<'a> {
-    building: &'a Building,
-    settings: &'a Settings,
+    task: Task<'a>,
     pieces: Vec<Piece>,
     cost: f64,
 }
 
-impl Best<'_> {
-    fn new<'a>(building: &'a Building, settings: &'a Settings, pieces: Vec<Piece>) -> Best<'a> {
-        let cost =
-            cost(building, settings, pieces.iter().map(|piece| (piece.layer, piece.blocks.as_slice())));
-        Best { building, settings, pieces, cost }
+impl<'a> Best<'a> {
+    fn new(task: Task<'a>, pieces: Vec<Piece>) -> Best<'a> {
+        let shapes = pieces.iter().map(|piece| (piece.layer, piece.blocks.as_slice()));
+        let cost = cost(task.building, task.settings, shapes);
+        Best { task, pieces, cost }
     }
 
     /// Whether a set is no dearer, and so the best.
     fn offer(&mut self, pieces: Vec<Piece>) -> bool {
-        let offered = Best::new(self.building, self.settings, pieces);
+        let offered = Best::new(self.task, pieces);
         let is_best = offered.cost <= self.cost;
         if is_best {
             (self.pieces, self.cost) = (offered.pieces, offered.cost);
