@@ -172,3 +172,14 @@ fn a_session_that_is_left_writes_nothing() {
     vox(folder.path(), &session).stdin("1\nquit\n").assert().failure();
     assert!(!folder.path().join("mine.schem").exists());
 }
+
+#[test]
+fn a_layout_and_a_building_pass_through_pipes_to_inference() {
+    let folder = folder();
+    let layout = fs::read("tests/cli/facade.in/layout.xml").unwrap();
+    vox(folder.path(), &["infer", "-", "-o", "facade.grammar"]).stdin(layout).assert().success();
+    let made = vox(folder.path(), &["run", "tower.grammar", "-o", "-"]).output().unwrap();
+    vox(folder.path(), &["infer", "-", "-o", "learnt.grammar"]).stdin(made.stdout).assert().success();
+    assert!(fs::read_to_string(folder.path().join("facade.grammar")).unwrap().contains("facade"));
+    assert!(fs::read_to_string(folder.path().join("learnt.grammar")).unwrap().contains("size(3, 9, 3)"));
+}

@@ -12,6 +12,7 @@ use super::template::Template;
 use crate::grid::Grid;
 use crate::neighbours::mend;
 use crate::shapes::{self, Adjacency, Derivation, Enclosure, Growth, Rest, ShapeGrammar};
+use crate::space::Cell;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -47,9 +48,9 @@ pub struct Args {
     /// are taken away where it cannot be
     #[arg(long)]
     seen: bool,
-    /// The most blocks along x, y and z
-    #[arg(long, value_name = "XxYxZ", default_value = "48x48x48")]
-    most: SizeArg,
+    /// The most blocks along x, y and z; if not given, 48 or twice the largest example
+    #[arg(long, value_name = "XxYxZ")]
+    most: Option<SizeArg>,
     /// The seed of the first building; each further one takes the next
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -85,6 +86,7 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     for path in &paths {
         examples.push(input::grid(path, &args.limit.reading())?);
     }
+    let most = args.most.map_or_else(|| roomy(&examples), |size| size.0);
     let version = examples.first().and_then(|grid| grid.metadata.data_version);
     let grammar = ShapeGrammar::learn(examples, &args.shaping.settings(Rest::Searched, args.seed));
     if grammar.parts.parts.is_empty() {
@@ -93,13 +95,19 @@ pub fn execute(args: &Args) -> Result<(), Failure> {
     let progress = Progress::new(seeds.len());
     let mut summary = Summary::default();
     for (seed, output) in seeds.into_iter().zip(&outputs) {
-        let derivation = derivation(args, &grammar, seed)?;
+        let derivation = derivation(args, &grammar, most, seed)?;
         write(args, (&paths, output), &grammar, &derivation, (version, seed), &mut summary)?;
         progress.step();
     }
     drop(progress);
     summary.tell();
     Ok(())
+}
+
+/// Room for buildings that are larger than the examples.
+fn roomy(examples: &[Grid]) -> Cell {
+    const LEAST: Cell = Cell::splat(48);
+    examples.iter().fold(LEAST, |most, grid| most.max(2 * grid.size()))
 }
 
 fn check_outputs(args: &Args, outputs: &[PathBuf]) -> Result<(), Failure> {
@@ -116,7 +124,7 @@ fn check_outputs(args: &Args, outputs: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-fn derivation(args: &Args, grammar: &ShapeGrammar, seed: u64) -> Result<Derivation, Failure> {
+fn derivation(args: &Args, grammar: &ShapeGrammar, most: Cell, seed: u64) -> Result<Derivation, Failure> {
     let enclosure = if args.enclose { Enclosure::Enforced } else { Enclosure::Ignored };
     if let Some(path) = &args.replay {
         return derivation_file::read(path, grammar);
@@ -125,7 +133,7 @@ fn derivation(args: &Args, grammar: &ShapeGrammar, seed: u64) -> Result<Derivati
         steps: args.steps,
         enclosure,
         adjacency: if args.seen { Adjacency::Enforced } else { Adjacency::Ignored },
-        most: args.most.0,
+        most,
         seed,
     };
     match args.interactive {

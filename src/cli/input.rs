@@ -13,6 +13,7 @@ use crate::space::Bounds;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// The kinds of files that hold blocks, by their endings.
 macro_rules! with_blocks {
@@ -184,9 +185,15 @@ pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
     read(path, most).map_err(|error| Failure::read(&name(path), &error))
 }
 
+/// What came in on standard input, which can be read once only: it is looked at before it is known what it is.
+static STDIN: OnceLock<Vec<u8>> = OnceLock::new();
+
 fn read(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
     match is_stdio(path) {
-        true => io::read_bytes(std::io::stdin(), most),
+        true => match STDIN.get() {
+            Some(bytes) => Ok(bytes.clone()),
+            None => io::read_bytes(std::io::stdin(), most).map(|bytes| STDIN.get_or_init(|| bytes).clone()),
+        },
         false => {
             std::fs::File::open(path).map_err(ReadError::from).and_then(|file| io::read_bytes(file, most))
         }
@@ -306,11 +313,14 @@ pub fn models(graph: &OpGraph, grammar: &Path) -> Result<BTreeMap<String, ObjMod
     Ok(models)
 }
 
-/// The bytes of a layout, if that is what a file holds. What comes in on standard input is taken for a building.
+/// The bytes of a layout, if that is what a file holds.
 pub fn layout(path: &Path, most: u64) -> Result<Option<Vec<u8>>, Failure> {
     const HEAD: u64 = 1024;
-    if is_stdio(path) || path.is_dir() {
+    if path.is_dir() {
         return Ok(None);
+    }
+    if is_stdio(path) {
+        return bytes(path, most).map(|bytes| io::is_layout(&bytes).then_some(bytes));
     }
     let mut head = Vec::new();
     let read = std::fs::File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));

@@ -7,6 +7,7 @@ use crate::shapes::building::{Block, Building};
 use crate::shapes::layer::Layer;
 use crate::shapes::price::{Price, Sum};
 use crate::shapes::settings::Cost;
+use crate::shapes::tally::Tally;
 use crate::space::Axis;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -232,7 +233,7 @@ impl<'a> Set<'a> {
         self.beside.push(BTreeMap::new());
         self.enter_group(&piece, measure);
         if self.splits == Splits::Wanted {
-            let least = self.cuts_of_new(&piece, measure);
+            let least = self.least_cut(&piece);
             self.cuts.set(id as usize, least);
         }
         self.pieces.push(Some(piece));
@@ -320,12 +321,12 @@ impl<'a> Set<'a> {
         })
     }
 
-    fn cuts_of_new(&self, piece: &Piece, measure: f64) -> f64 {
-        // A shape of one type has nothing to gain, whatever the cost.
-        match measure {
-            _ if piece.tally.kinds() == 1 && !self.is_by_group() => f64::INFINITY,
-            _ => self.cuts_of(piece).map(|(_, change)| change).fold(f64::INFINITY, f64::min),
+    /// The least change by a cut. A shape of one type has nothing to gain by any, unless shapes that are alike count once.
+    fn least_cut(&self, piece: &Piece) -> f64 {
+        if piece.tally.kinds() == 1 && !self.is_by_group() {
+            return f64::INFINITY;
         }
+        self.cuts_of(piece).map(|(_, change)| change).fold(f64::INFINITY, f64::min)
     }
 
     /// The authors' program splits rectangles of an even number of blocks only; seed 3 does not say so.
@@ -341,7 +342,7 @@ impl<'a> Set<'a> {
 
     fn change_by_cut(&self, piece: &Piece, [below, _]: &[Vec<Block>; 2]) -> f64 {
         let Goal::Cheapest(price) = self.goal else { return 0.0 };
-        let part = crate::shapes::tally::Tally::of(below.iter().map(|block| self.building.kind(*block)));
+        let part = Tally::of(below.iter().map(|block| self.building.kind(*block)));
         let parts = price.measure(&part) + price.measure(&piece.tally.minus(&part));
         parts - price.measure(&piece.tally)
     }
