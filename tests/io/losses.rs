@@ -403,8 +403,10 @@ proptest! {
         let version = grid.version();
         let mut grid = grid;
         grid.variants.clear();
-        // Blocks of other versions are refused or told of elsewhere.
-        grid.map_states(|state| if legal_in(state, version) { state.clone() } else { BlockState::air() }).unwrap();
+        // Blocks of other versions are refused or told of elsewhere. Without its level, nothing tells that water in cauldrons
+        // came later.
+        let is_clear = |state: &BlockState| state.short() != "water_cauldron" && legal_in(state, version);
+        grid.map_states(|state| if is_clear(state) { state.clone() } else { BlockState::air() }).unwrap();
         let data_version = grid.data_version();
         for format in WRITTEN {
             let (Ok((back, _)), false) = (format.through(&grid), matches!(format, Written::Model)) else {
