@@ -1,9 +1,9 @@
 use super::derivation_file;
 use super::failure::Failure;
 use super::input::{self, Limit};
-use super::kind::written;
 use super::output::{self, Output, Writing};
 use super::progress::Progress;
+use super::run;
 use super::session;
 use super::shaping::Shaping;
 use super::size::SizeArg;
@@ -15,12 +15,6 @@ use crate::shapes::{self, Adjacency, Derivation, Enclosure, Growth, Rest, ShapeG
 use crate::space::Cell;
 use serde_json::json;
 use std::path::{Path, PathBuf};
-
-const OUTPUT: &str = concat!(
-    "Where to write: ",
-    written!(),
-    ". {seed} and {number} stand for the seed and the number of each building"
-);
 
 /// Grow new buildings from the shapes of others
 ///
@@ -36,7 +30,7 @@ Examples:
 pub struct Args {
     #[arg(required = true, help = input::BUILDINGS)]
     files: Vec<PathBuf>,
-    #[arg(short, long, value_name = "FILE", help = OUTPUT)]
+    #[arg(short, long, value_name = "FILE", help = run::OUTPUT)]
     output: Template,
     /// How many rules are applied
     #[arg(long, value_name = "N", default_value_t = 50)]

@@ -1,30 +1,26 @@
 //! Shapes and buildings drawn in letters.
 
 use crate::shapes::{Placed, Production, ShapeGrammar};
-use crate::space::{Axis, Cell};
+use crate::space::{Axis, Bounds, Cell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// Blocks, and the box around them.
-struct Drawing {
+struct Sketch {
     blocks: BTreeMap<[i32; 3], String>,
-    low: Cell,
-    high: Cell,
+    bounds: Bounds,
 }
 
-impl Drawing {
-    fn of(blocks: impl Iterator<Item = (Cell, String)>) -> Drawing {
+impl Sketch {
+    fn of(blocks: impl Iterator<Item = (Cell, String)>) -> Sketch {
         let blocks: BTreeMap<_, _> = blocks.map(|(cell, name)| (cell.to_array(), name)).collect();
-        let cells = || blocks.keys().map(|cell| Cell::from_array(*cell));
-        let (low, high) =
-            cells().fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
-        Drawing { blocks, low, high }
+        let bounds = Bounds::around(blocks.keys().map(|cell| Cell::from_array(*cell)));
+        Sketch { blocks, bounds: bounds.unwrap_or(Bounds::of_size(Cell::ZERO)) }
     }
 
     /// The axis to look along: the shortest, and a floor from above.
     fn along(&self) -> Axis {
-        let size = self.high - self.low;
-        Axis::ALL.into_iter().rev().min_by_key(|axis| axis.of(size)).unwrap_or(Axis::Z)
+        Axis::ALL.into_iter().rev().min_by_key(|axis| self.bounds.len(*axis)).unwrap_or(Axis::Z)
     }
 
     /// The letter of each block: of those that begin alike, the later ones take another of their letters.
@@ -49,17 +45,13 @@ impl Drawing {
             Axis::Y => [Axis::X, Axis::Z],
             Axis::Z => [Axis::X, Axis::Y],
         };
+        let Bounds { min, max } = self.bounds;
         let mut text = String::new();
-        for row in 0..=up.of(self.high - self.low) {
+        for row in 0..self.bounds.len(up) {
             text += "       ";
-            for column in 0..=across.of(self.high - self.low) {
-                let height = if up == Axis::Y { up.of(self.high) - row } else { up.of(self.low) + row };
-                text.push(self.nearest(
-                    along,
-                    (across, across.of(self.low) + column),
-                    (up, height),
-                    &letters,
-                ));
+            for column in 0..self.bounds.len(across) {
+                let height = if up == Axis::Y { up.of(max) - 1 - row } else { up.of(min) + row };
+                text.push(self.nearest(along, (across, across.of(min) + column), (up, height), &letters));
             }
             text.truncate(text.trim_end().len());
             text.push('\n');
@@ -76,7 +68,7 @@ impl Drawing {
         row: (Axis, i32),
         letters: &BTreeMap<&str, char>,
     ) -> char {
-        let depths = (along.of(self.low)..=along.of(self.high)).rev();
+        let depths = (along.of(self.bounds.min)..along.of(self.bounds.max)).rev();
         let mut blocks = depths.filter_map(|depth| {
             let mut cell = [0; 3];
             for (axis, place) in [(along, depth), column, row] {
@@ -98,19 +90,19 @@ fn named<'a>(
 /// A shape that a rule gives: its blocks, where nothing is yet.
 pub fn shape(grammar: &ShapeGrammar, production: &Production<'_>, placed: &Placed) -> String {
     let added = production.blocks(placed).filter(|(cell, _)| production.is_free(*cell));
-    Drawing::of(named(grammar, added)).text()
+    Sketch::of(named(grammar, added)).text()
 }
 
 /// A whole building from the south.
 pub fn building(grammar: &ShapeGrammar, production: &Production<'_>) -> String {
     let blocks = production.placed().iter().flat_map(|placed| production.blocks(placed));
-    Drawing::of(named(grammar, blocks)).text()
+    Sketch::of(named(grammar, blocks)).text()
 }
 
 /// A shape in a few words: its size and where it is.
 pub fn words(grammar: &ShapeGrammar, placed: &Placed) -> String {
-    let Drawing { low, high, .. } =
-        Drawing::of(named(grammar, grammar.parts.blocks(placed.form, placed.placement)));
-    let size = high - low + Cell::ONE;
+    let blocks = grammar.parts.blocks(placed.form, placed.placement);
+    let bounds = Bounds::around(blocks.map(|(cell, _)| cell)).unwrap_or(Bounds::of_size(Cell::ZERO));
+    let (size, low) = (bounds.size(), bounds.min);
     format!("{} x {} x {} at {}, {}, {}", size.x, size.y, size.z, low.x, low.y, low.z)
 }

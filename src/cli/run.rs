@@ -20,8 +20,8 @@ use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// Where to write, for the help text.
-const OUTPUT: &str = concat!(
+/// Where to write, for the help texts of commands that take seeds.
+pub const OUTPUT: &str = concat!(
     "Where to write: ",
     written!(),
     ". {seed} and {number} stand for the seed and the number of each building"

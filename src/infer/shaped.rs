@@ -4,7 +4,7 @@ use super::example::{Example, Terminals};
 use super::swaps::Site;
 use crate::grid::Grid;
 use crate::shapes::{Building, Settings, Shape, search};
-use crate::space::{Bounds, Cell};
+use crate::space::Bounds;
 use ndarray::{Array3, s};
 
 /// What the shapes of an example are to a split tree.
@@ -35,8 +35,7 @@ pub fn shaped(example: &Example, taken: &[Site], terminals: &mut Terminals) -> S
 
 fn bounds(building: &Building, shape: &Shape) -> Bounds {
     let cells = shape.blocks.iter().map(|block| building.cell(*block));
-    let (low, high) = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
-    Bounds::new(low, high + Cell::ONE)
+    Bounds::around(cells).expect("a shape holds blocks")
 }
 
 fn enter(shaped: &mut Shaped, grid: &Grid, cells: &Array3<u32>, bounds: Bounds) {

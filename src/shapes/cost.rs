@@ -19,7 +19,7 @@ pub fn cost<'a>(
     let mut seen = BTreeSet::new();
     let mut sum = Sum::default();
     for (layer, blocks) in shapes {
-        let low = blocks.iter().map(|block| building.cell(*block)).fold(Cell::MAX, Cell::min);
+        let low = blocks.iter().map(|block| building.cell(*block)).reduce(Cell::min).unwrap_or_default();
         let is_alike = settings.cost == Cost::Alike
             && !seen.insert(alike::look(building, layer, low, blocks.iter().copied()));
         if !is_alike {

@@ -111,12 +111,12 @@ pub fn keep_largest(production: &mut Production<'_>) {
 
 /// The blocks of a production, from its low corner; air where nothing stands.
 pub fn grid(production: &Production<'_>) -> Result<Grid, PaletteFull> {
-    let Some((low, high)) = production.extent() else { return Ok(Grid::new(Cell::ZERO)) };
-    let mut grid = Grid::new(high - low + Cell::ONE);
+    let Some(extent) = production.extent() else { return Ok(Grid::new(Cell::ZERO)) };
+    let mut grid = Grid::new(extent.size());
     for placed in production.placed() {
         for (cell, state) in production.blocks(placed) {
             let id = grid.intern(production.parts().states.get(state))?;
-            grid.set(cell - low, id);
+            grid.set(cell - extent.min, id);
         }
     }
     Ok(grid)

@@ -3,7 +3,7 @@
 use super::layer::Layer;
 use super::part::Parts;
 use super::production::{Placed, Production, around};
-use crate::space::{Axis, Cell};
+use crate::space::{Axis, Bounds, Cell};
 use fixedbitset::FixedBitSet;
 
 /// Marks the shapes, from one on, whose both sides the outside of their example reaches: production leaves them alone.
@@ -39,7 +39,7 @@ pub fn enclose(production: &mut Production<'_>) {
 /// How many free places within the box around a production the outside does not reach: the rooms.
 pub fn enclosed(production: &Production<'_>) -> usize {
     let Some(outside) = Outside::of(production) else { return 0 };
-    let cells = crate::space::Bounds::new(outside.low, outside.low + outside.size).cells();
+    let cells = outside.bounds.cells();
     cells.filter(|cell| production.is_free(*cell) && !outside.reaches(*cell)).count()
 }
 
@@ -59,31 +59,28 @@ fn open(production: &Production<'_>) -> Vec<usize> {
 fn flat(production: &Production<'_>, placed: &Placed) -> impl Iterator<Item = Axis> + use<> {
     let is_solid = matches!(production.parts().forms[placed.form].layer, Layer::Solid(_));
     let cells = production.blocks(placed).map(|(cell, _)| cell);
-    let (low, high) = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
-    Axis::ALL.into_iter().filter(move |axis| !is_solid && axis.of(low) == axis.of(high))
+    let bounds = Bounds::around(cells).unwrap_or(Bounds::of_size(Cell::ZERO));
+    Axis::ALL.into_iter().filter(move |axis| !is_solid && bounds.len(*axis) == 1)
 }
 
 /// The free places that can be reached from outside through free places that share a face.
 struct Outside {
-    low: Cell,
-    size: Cell,
+    bounds: Bounds,
     reached: FixedBitSet,
 }
 
 impl Outside {
     /// Of a box with one free layer around the production, but not below it: buildings stand on the ground.
     fn of(production: &Production<'_>) -> Option<Outside> {
-        let (low, high) = production.extent()?;
-        let low = low - Cell::new(1, 0, 1);
-        let size = high + Cell::ONE - low + Cell::ONE;
-        let cells = size.as_i64vec3().element_product() as usize;
-        let mut outside = Outside { low, size, reached: FixedBitSet::with_capacity(cells) };
+        let extent = production.extent()?;
+        let bounds = Bounds::new(extent.min - Cell::new(1, 0, 1), extent.max + 1);
+        let mut outside = Outside { bounds, reached: FixedBitSet::with_capacity(bounds.volume() as usize) };
         outside.flood(production);
         Some(outside)
     }
 
     fn flood(&mut self, production: &Production<'_>) {
-        let mut open = vec![self.low];
+        let mut open = vec![self.bounds.min];
         while let Some(cell) = open.pop() {
             let Some(index) = self.index(cell) else { continue };
             if !self.reached[index] && production.is_free(cell) {
@@ -94,10 +91,9 @@ impl Outside {
     }
 
     fn index(&self, cell: Cell) -> Option<usize> {
-        let place = cell - self.low;
-        let is_inside = place.min_element() >= 0 && place.cmplt(self.size).all();
-        let [x, y, z] = place.to_array().map(|n| n as usize);
-        is_inside.then(|| (y * self.size.z as usize + z) * self.size.x as usize + x)
+        let [x, y, z] = (cell - self.bounds.min).to_array().map(|n| n as usize);
+        let [width, _, depth] = self.bounds.size().to_array().map(|n| n as usize);
+        self.bounds.contains(cell).then(|| (y * depth + z) * width + x)
     }
 
     fn reaches(&self, cell: Cell) -> bool {

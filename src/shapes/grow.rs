@@ -4,7 +4,7 @@ use super::derivation::{Application, Derivation, Enclosure, result};
 use super::grammar::ShapeGrammar;
 use super::production::{Placed, Production};
 use super::{enclosure, mend};
-use crate::space::Cell;
+use crate::space::{Bounds, Cell};
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -114,8 +114,8 @@ pub fn may_stand(
 
 /// Whether a production keeps to a size when a shape is added.
 pub fn is_within(production: &Production<'_>, placed: &Placed, most: Cell) -> bool {
-    let Some((low, high)) = production.extent() else { return true };
-    let cells = production.blocks(placed).map(|(cell, _)| cell);
-    let (low, high) = cells.fold((low, high), |(low, high), cell| (low.min(cell), high.max(cell)));
-    (high - low).cmplt(most).all()
+    let Some(extent) = production.extent() else { return true };
+    let added = Bounds::around(production.blocks(placed).map(|(cell, _)| cell));
+    let all = added.map_or(extent, |added| extent.union(&added));
+    all.size().cmple(most).all()
 }

@@ -65,9 +65,10 @@ fn best(
 /// The unseen neighbourhoods after a shape is added: only those that hold one of its blocks change, unless it is below all
 /// others.
 fn after(grammar: &ShapeGrammar, production: &mut Production<'_>, placed: Placed, unseen: &Lows) -> Lows {
-    let ground = production.extent().map(|(low, _)| low.y);
+    let ground = |production: &Production<'_>| production.extent().map(|extent| extent.min.y);
+    let before = ground(production);
     production.push(placed);
-    let left = if production.extent().map(|(low, _)| low.y) == ground {
+    let left = if ground(production) == before {
         let cells: BTreeSet<[i32; 3]> = production.blocks(&placed).map(|(cell, _)| cell.to_array()).collect();
         let is_near = |low: &&[i32; 3]| {
             cells

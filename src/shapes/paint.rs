@@ -2,7 +2,7 @@
 
 use super::part::{Part, Parts};
 use crate::block::Rgba;
-use crate::space::Cell;
+use crate::space::{Bounds, Cell};
 use ndarray::Array3;
 
 /// How far shapes are moved apart.
@@ -26,16 +26,13 @@ pub fn paint(parts: &Parts, shapes: &[&Part], spread: Spread) -> Array3<u16> {
         explode(&mut shapes);
     }
     shapes.sort_by_key(|(_, cells)| std::cmp::Reverse(cells.len()));
-    let all = || shapes.iter().flat_map(|(_, cells)| cells.iter().copied());
-    let (low, high) = all().fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
-    if shapes.is_empty() {
-        return Array3::zeros((0, 0, 0));
-    }
-    let [width, height, depth] = (high - low + Cell::ONE).to_array().map(|n| n as usize);
+    let all = shapes.iter().flat_map(|(_, cells)| cells.iter().copied());
+    let Some(bounds) = Bounds::around(all) else { return Array3::zeros((0, 0, 0)) };
+    let [width, height, depth] = bounds.size().to_array().map(|n| n as usize);
     let mut painted = Array3::zeros((height, depth, width));
     for (number, cells) in &shapes {
         for cell in cells {
-            let [x, y, z] = (*cell - low).to_array().map(|n| n as usize);
+            let [x, y, z] = (*cell - bounds.min).to_array().map(|n| n as usize);
             painted[[y, z, x]] = *number;
         }
     }
@@ -44,14 +41,10 @@ pub fn paint(parts: &Parts, shapes: &[&Part], spread: Spread) -> Array3<u16> {
 
 /// Moves each shape away from the middle of all, by as much as its own middle is away from it.
 fn explode(shapes: &mut [(u16, Vec<Cell>)]) {
-    let twice_middle = |cells: &mut dyn Iterator<Item = Cell>| {
-        let (low, high) =
-            cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(cell), high.max(cell)));
-        low + high
-    };
-    let all = twice_middle(&mut shapes.iter().flat_map(|(_, cells)| cells.iter().copied()));
+    let twice_middle = |bounds: Option<Bounds>| bounds.map_or(Cell::ZERO, |bounds| bounds.min + bounds.max);
+    let all = twice_middle(Bounds::around(shapes.iter().flat_map(|(_, cells)| cells.iter().copied())));
     for (_, cells) in shapes {
-        let away = (twice_middle(&mut cells.iter().copied()) - all) / 2;
+        let away = (twice_middle(Bounds::around(cells.iter().copied())) - all) / 2;
         cells.iter_mut().for_each(|cell| *cell += away);
     }
 }

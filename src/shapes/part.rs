@@ -145,7 +145,7 @@ impl Parts {
     fn form(&self, layer: Layer, blocks: &[(Cell, u32)]) -> (Form, Placement) {
         let forms = Turn::ALL.map(|turn| {
             let turned = || blocks.iter().map(|(cell, _)| turn.apply(*cell));
-            let low = turned().fold(Cell::MAX, Cell::min);
+            let low = turned().reduce(Cell::min).unwrap_or_default();
             let states = blocks.iter().map(|(_, state)| self.states.turned(*state, turn));
             let mut blocks: Vec<_> = turned().map(|cell| (cell - low).to_array()).zip(states).collect();
             blocks.sort_unstable();

@@ -1,7 +1,7 @@
 //! A building that is grown: shapes put side by side (seed 3, "Production of Similar Structures").
 
 use super::part::{FormId, Parts, Placement};
-use crate::space::Cell;
+use crate::space::{Bounds, Cell};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 
@@ -80,11 +80,9 @@ impl<'a> Production<'a> {
         !self.cells.contains_key(&cell)
     }
 
-    /// The corners of the box around all shapes, both inside; `None` of nothing.
-    pub fn extent(&self) -> Option<(Cell, Cell)> {
-        let cells = self.cells.keys();
-        let ends = cells.fold((Cell::MAX, Cell::MIN), |(low, high), cell| (low.min(*cell), high.max(*cell)));
-        (!self.cells.is_empty()).then_some(ends)
+    /// The box around all shapes; `None` of nothing.
+    pub fn extent(&self) -> Option<Bounds> {
+        Bounds::around(self.cells.keys().copied())
     }
 
     /// The blocks of one of the shapes.

@@ -62,7 +62,8 @@ impl Seen {
                     |state| if state == GROUND { state } else { parts.states.turned(state, turn) };
                 let turned = |cell: Cell| at(low + back.apply(cell)).map(turned_state);
                 // The corners of a turned box: its low corner is elsewhere.
-                let corner = CORNERS.cells().map(|step| turn.apply(step)).fold(Cell::MAX, Cell::min);
+                let corner =
+                    CORNERS.cells().map(|step| turn.apply(step)).reduce(Cell::min).unwrap_or_default();
                 self.whole.insert(around(corner, turned));
             }
         }
@@ -97,7 +98,7 @@ impl Seen {
         production: &Production<'_>,
         cells: impl Iterator<Item = Cell>,
     ) -> BTreeSet<[i32; 3]> {
-        let ground = production.extent().map_or(0, |(low, _)| low.y);
+        let ground = production.extent().map_or(0, |extent| extent.min.y);
         let at = |cell: Cell| if cell.y < ground { Some(GROUND) } else { production.at(cell) };
         let lows: BTreeSet<[i32; 3]> = lows(cells).collect();
         let is_unseen = |low: &[i32; 3]| !self.whole.contains(&around(Cell::from_array(*low), at));

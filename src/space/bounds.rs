@@ -17,6 +17,11 @@ impl Bounds {
         Bounds::new(Cell::ZERO, size)
     }
 
+    /// The smallest box that holds all of `cells`; `None` of no cell.
+    pub fn around(cells: impl IntoIterator<Item = Cell>) -> Option<Bounds> {
+        cells.into_iter().map(|cell| Bounds::new(cell, cell + 1)).reduce(|all, cell| all.union(&cell))
+    }
+
     pub fn size(&self) -> Cell {
         self.max - self.min
     }
@@ -71,6 +76,14 @@ impl Bounds {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_box_around_cells_is_the_smallest_that_holds_them() {
+        let cells = [Cell::new(3, -1, 2), Cell::new(0, 4, 2)];
+        let around = Bounds::around(cells);
+        assert_eq!(around, Some(Bounds::new(Cell::new(0, -1, 2), Cell::new(4, 5, 3))));
+        assert_eq!(Bounds::around([]), None);
+    }
 
     #[test]
     fn the_volume_of_any_corners_is_a_number() {

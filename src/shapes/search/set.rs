@@ -2,7 +2,7 @@
 
 use super::least::Least;
 use super::piece::Piece;
-use crate::shapes::alike::{self, Groups};
+use crate::shapes::alike::{self, Groups, Look};
 use crate::shapes::building::{Block, Building};
 use crate::shapes::layer::Layer;
 use crate::shapes::price::{Price, Sum};
@@ -351,10 +351,13 @@ impl<'a> Set<'a> {
         matches!(self.goal, Goal::Cheapest(price) if price.cost == Cost::Alike)
     }
 
+    fn look(&self, piece: &Piece) -> Look {
+        alike::look(self.building, piece.layer, piece.bounds.min, piece.blocks.iter().copied())
+    }
+
     fn enter_group(&mut self, piece: &Piece, measure: f64) {
         if self.is_by_group() {
-            let look = alike::look(self.building, piece.layer, piece.low, piece.blocks.iter().copied());
-            let group = self.groups.number(look, measure);
+            let group = self.groups.number(self.look(piece), measure);
             self.groups.enter(group);
             self.group_of.push(group);
         }
@@ -395,7 +398,7 @@ impl<'a> Set<'a> {
         let entering: Vec<usize> = made
             .iter()
             .map(|piece| {
-                let look = alike::look(self.building, piece.layer, piece.low, piece.blocks.iter().copied());
+                let look = self.look(piece);
                 self.groups.number(look, price.measure(&piece.tally))
             })
             .collect();
