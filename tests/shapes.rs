@@ -283,12 +283,12 @@ proptest! {
     }
 }
 
-/// A hollow cube, its floor left out as the ground is there.
-fn cube() -> Grid {
-    let mut grid = Grid::new(Cell::new(4, 4, 4));
+/// A hollow box, its floor left out as the ground is there.
+fn hollow(size: Cell) -> Grid {
+    let mut grid = Grid::new(size);
     let id = grid.intern(&"stone".parse::<BlockState>().unwrap()).unwrap();
     for cell in grid.bounds().cells() {
-        let is_wall = cell.x % 3 == 0 || cell.z % 3 == 0 || cell.y == 3;
+        let is_wall = cell.x % (size.x - 1) == 0 || cell.z % (size.z - 1) == 0 || cell.y == size.y - 1;
         if is_wall {
             grid.set(cell, id);
         }
@@ -298,7 +298,7 @@ fn cube() -> Grid {
 
 #[test]
 fn enclosure_leaves_a_closed_building_and_nothing_of_a_wall() {
-    let grammar = ShapeGrammar::learn(vec![cube()], &Settings::default());
+    let grammar = ShapeGrammar::learn(vec![hollow(Cell::splat(4))], &Settings::default());
     assert!(
         grammar.parts.parts.iter().all(|part| !part.is_open),
         "every shape of the cube encloses its room"
@@ -308,4 +308,20 @@ fn enclosure_leaves_a_closed_building_and_nothing_of_a_wall() {
     assert!(!production.is_empty(), "a building of many steps is closed");
     let alone = grow(&grammar, &growth(0, 1, Enclosure::Enforced, Adjacency::Ignored));
     assert!(alone.production(&grammar).unwrap().is_empty(), "one wall encloses nothing");
+}
+
+#[test]
+fn the_sides_of_a_long_building_are_told_apart() {
+    for size in [Cell::new(9, 4, 5), Cell::new(4, 9, 5), Cell::new(5, 4, 12)] {
+        let grammar = ShapeGrammar::learn(vec![hollow(size)], &Settings::default());
+        assert!(
+            grammar.parts.parts.iter().all(|part| !part.is_open),
+            "{size}: every shape encloses its room"
+        );
+        let mut grid = hollow(size);
+        let roof = grid.bounds().slab(Axis::Y, size.y - 1, size.y);
+        grid.fill(roof, 0);
+        let grammar = ShapeGrammar::learn(vec![grid], &Settings::default());
+        assert!(grammar.parts.parts.iter().all(|part| part.is_open), "{size}: without a roof none does");
+    }
 }

@@ -2,9 +2,10 @@
 
 use super::layer::Layer;
 use super::part::Parts;
-use super::production::{Placed, Production, around};
+use super::production::{Placed, Production};
+use crate::grid::{Neighbours, reached_from_outside};
 use crate::space::{Axis, Bounds, Cell};
-use fixedbitset::FixedBitSet;
+use ndarray::Array3;
 
 /// Marks the shapes, from one on, whose both sides the outside of their example reaches: production leaves them alone.
 pub fn mark_open(parts: &mut Parts, first: usize) {
@@ -66,7 +67,8 @@ fn flat(production: &Production<'_>, placed: &Placed) -> impl Iterator<Item = Ax
 /// The free places that can be reached from outside through free places that share a face.
 struct Outside {
     bounds: Bounds,
-    reached: FixedBitSet,
+    /// Indexed `[y, z, x]`, from the low corner of the box.
+    reached: Array3<bool>,
 }
 
 impl Outside {
@@ -74,29 +76,16 @@ impl Outside {
     fn of(production: &Production<'_>) -> Option<Outside> {
         let extent = production.extent()?;
         let bounds = Bounds::new(extent.min - Cell::new(1, 0, 1), extent.max + 1);
-        let mut outside = Outside { bounds, reached: FixedBitSet::with_capacity(bounds.volume() as usize) };
-        outside.flood(production);
-        Some(outside)
-    }
-
-    fn flood(&mut self, production: &Production<'_>) {
-        let mut open = vec![self.bounds.min];
-        while let Some(cell) = open.pop() {
-            let Some(index) = self.index(cell) else { continue };
-            if !self.reached[index] && production.is_free(cell) {
-                self.reached.insert(index);
-                open.extend(around(cell));
-            }
-        }
-    }
-
-    fn index(&self, cell: Cell) -> Option<usize> {
-        let [x, y, z] = (cell - self.bounds.min).to_array().map(|n| n as usize);
-        let [width, _, depth] = self.bounds.size().to_array().map(|n| n as usize);
-        self.bounds.contains(cell).then(|| (y * depth + z) * width + x)
+        let [width, height, depth] = bounds.size().to_array().map(|n| n as usize);
+        let is_open = Array3::from_shape_fn((height, depth, width), |(y, z, x)| {
+            production.is_free(bounds.min + Cell::new(x as i32, y as i32, z as i32))
+        });
+        Some(Outside { bounds, reached: reached_from_outside(&is_open, Neighbours::Faces) })
     }
 
     fn reaches(&self, cell: Cell) -> bool {
-        self.index(cell).is_some_and(|index| self.reached[index])
+        // A negative number becomes one that is far outside.
+        let [x, y, z] = (cell - self.bounds.min).to_array().map(|n| n as usize);
+        self.reached.get([y, z, x]) == Some(&true)
     }
 }
