@@ -5,7 +5,7 @@ use super::corpus::{Class, Corpus, Place};
 use super::derivation::{At, Derivation, Operation};
 use super::emit::Emitted;
 use super::limits::between;
-use super::narrow::{self, Taken};
+use super::narrow::{self, Blamed};
 use super::plan::{self, Form, NodeId, Plan};
 use super::samples::{Fault, Faulty};
 use crate::graph::NodeIndex;
@@ -55,13 +55,14 @@ impl Suspects<'_> {
         }
     }
 
-    /// For each place of a fault, the choices that the sample made there.
-    pub fn choices(&self, faulty: &Faulty) -> Vec<Vec<Taken>> {
-        let of = |window: Bounds| narrow::taken(self.plan, self.emitted, &faulty.derivation, window);
-        match &faulty.fault {
-            Fault::Failed => Vec::new(),
-            Fault::Unseen { windows, .. } => windows.iter().map(|window| of(*window)).collect(),
-        }
+    /// For each place of a fault, what the sample may have made wrong there.
+    pub fn blamed(&self, faulty: &Faulty) -> Vec<Blamed> {
+        let Fault::Unseen { cells, windows } = &faulty.fault else { return Vec::new() };
+        let of = |window: &Bounds| Blamed {
+            pairs: narrow::pairs(self.plan, self.corpus, self.emitted, (&faulty.derivation, cells), *window),
+            choices: narrow::taken(self.plan, self.emitted, &faulty.derivation, *window),
+        };
+        windows.iter().map(of).collect()
     }
 
     /// Where two parts meet whose ends were seen there, but never together, they are torn apart. An end that was not

@@ -116,8 +116,6 @@ pub struct Corpus {
     torn: FxHashSet<(Class, Class, Axis)>,
     /// The number of air.
     pub air: u32,
-    /// Whether rows of things are drawn cell by cell.
-    pub draws_rows: bool,
     /// Where each volume that is no example was taken from, with other terminals, behind all examples.
     origins: Vec<Place>,
     recoloured: FxHashMap<(Class, BTreeMap<u32, u32>), Class>,
@@ -136,7 +134,6 @@ impl Corpus {
             fits: FxHashMap::default(),
             torn: FxHashSet::default(),
             air,
-            draws_rows: false,
             origins: Vec::new(),
             recoloured: FxHashMap::default(),
             parameters: FxHashMap::default(),

@@ -6,7 +6,7 @@ use super::feasible::{Feasible, Lengths, feasible};
 use super::laws::Law;
 use super::limits::Limits;
 use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
-use super::rows::Row;
+use super::rows::{Row, State};
 use super::scope::{Scope, Within};
 use super::slopes::Slope;
 use super::starts::{Sizes, Starts};
@@ -126,27 +126,27 @@ impl Emitter<'_> {
             let op = Op::Repeat { axis: Expr::Axis(row.axis), size: Expr::number(1.0), snap: None };
             return self.builder.node(op, vec![(Arg::None, cell)]);
         }
-        let states: BTreeMap<&BTreeSet<usize>, NodeIndex> =
-            row.states().into_iter().map(|state| (state, self.builder.later(Op::Choose))).collect();
+        let lengths = row.lengths();
+        let states: BTreeMap<&State, NodeIndex> =
+            lengths.keys().map(|state| (state, self.builder.later(Op::Choose))).collect();
         let nil = self.builder.nil();
-        let followed = |kind: usize, builder: &mut Builder| {
-            let rest = states.get(&row.next[kind]).copied().unwrap_or(nil);
+        let followed = |state: &State, kind: usize, builder: &mut Builder| {
+            let rest = if state.before.contains(&kind) { states[&row.after(state, kind)] } else { nil };
             let parts = vec![(absolute(1), cells[kind]), (Size::floating(1.0), rest)];
             builder.split(Expr::Axis(row.axis), parts)
         };
         for (state, node) in &states {
             let alternative = |kind: &usize| {
-                let condition = (!row.last.contains(kind))
-                    .then(|| binary(BinaryOp::Greater, Expr::ScopeSize(row.axis), Expr::number(1.0)));
+                let condition = fills(row.axis, row.lengths_with(state, *kind, &lengths))?;
                 let weight = Expr::number(f64::from(row.kinds[*kind].1));
                 let alternative = Alternative { condition, ..Alternative::plain(weight) };
-                (Arg::Alternative(alternative), followed(*kind, &mut self.builder))
+                Some((Arg::Alternative(alternative), followed(state, *kind, &mut self.builder)))
             };
-            let alternatives = state.iter().map(alternative).collect();
+            let alternatives = state.before.union(&state.last).filter_map(alternative).collect();
             self.builder.complete(*node, alternatives);
             self.inner.push((*node, id));
         }
-        states[&row.first]
+        states[&row.start()]
     }
 
     /// A rule that calls itself for what is left behind a course, until that is short.
@@ -319,6 +319,17 @@ fn bounds(axis: Axis, seen: &BTreeSet<i32>, feasible: Lengths) -> Option<Expr> {
             own.reduce(|left, right| binary(BinaryOp::Or, left, right))
         }
     }
+}
+
+/// What a length has to be to be one of these; nothing inside if it may be any, and nothing at all if there are none.
+fn fills(axis: Axis, lengths: Lengths) -> Option<Option<Expr>> {
+    let low = lengths.iter().next()?;
+    let high = lengths.iter().last()?;
+    let is = |op, len: i32| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(len)));
+    let above = (low > 1).then(|| is(BinaryOp::Greater, low - 1));
+    let below = (high < Lengths::LONGEST).then(|| is(BinaryOp::LessEqual, high));
+    let holes = (low..=high).filter(|len| !lengths.contains(*len)).map(|len| is(BinaryOp::NotEqual, len));
+    Some(above.into_iter().chain(below).chain(holes).reduce(|left, right| binary(BinaryOp::And, left, right)))
 }
 
 fn same_as(law: &Law) -> Option<usize> {

@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 pub struct Lengths(u128);
 
 impl Lengths {
-    const LONGEST: i32 = 127;
+    pub const LONGEST: i32 = 127;
     pub const ALL: Lengths = Lengths(!1);
     pub const NONE: Lengths = Lengths(0);
 
@@ -28,7 +28,7 @@ impl Lengths {
     }
 
     /// The sums of one length of each.
-    fn plus(self, other: Lengths) -> Lengths {
+    pub fn plus(self, other: Lengths) -> Lengths {
         let sums = self.iter().flat_map(|len| other.iter().map(move |more| len + more));
         Lengths::of(sums.filter(|len| *len <= Self::LONGEST))
     }

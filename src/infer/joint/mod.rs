@@ -70,7 +70,7 @@ pub fn joint(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Option<L
         return None;
     }
     let task = Task { open, freedom, shown: Shown::by(examples) };
-    let mut known = known(examples, open, freedom);
+    let mut known = known(examples, open);
     let plain = task.search(&mut known, First::Any, |_| true)?;
     let is_promising = |outset: f64| plain.is_far_off() || outset <= NEAR * plain.outset;
     let told_apart =
@@ -87,13 +87,11 @@ const CHOICES: usize = 3;
 /// Those only whose description at the outset is so much longer than without, unless repairs made that one longer.
 const NEAR: f64 = 1.15;
 
-fn known(examples: &[&Grid], open: &[Example], freedom: Freedom) -> Known {
+fn known(examples: &[&Grid], open: &[Example]) -> Known {
     let mut terminals = Terminals::default();
     let cells = open.iter().filter_map(|example| example.cells(&mut terminals));
     let volumes = cells.zip(examples).map(|(cells, grid)| Volume::new(cells, &wholes(grid))).collect();
-    let mut corpus = Corpus::new(volumes, terminals.air());
-    // What stands at the ends of rows, and what above them, would have to be told as well to show only what was seen.
-    corpus.draws_rows = freedom == Freedom::Free;
+    let corpus = Corpus::new(volumes, terminals.air());
     Known { terminals, corpus, estimates: Estimates::default(), used: 0 }
 }
 

@@ -8,7 +8,7 @@ use super::emit::{self, Emitted};
 use super::estimate::Estimates;
 use super::explain::{Explainer, Search};
 use super::limits::Limits;
-use super::narrow::{self, Taken};
+use super::narrow::{self, Blamed};
 use super::plan::{self, NodeId};
 use super::pool;
 use super::samples::Shown;
@@ -143,7 +143,7 @@ impl Task<'_> {
             let (plan, corpus) = (&explainer.plan, &mut *explainer.corpus);
             let mut suspects = Suspects { plan, corpus, emitted: &emitted, made_for: &made_for };
             let repairs: Vec<Repairs> = faults.iter().flat_map(|faulty| suspects.repairs(faulty)).collect();
-            let blamed: Vec<Vec<Taken>> = faults.iter().flat_map(|faulty| suspects.choices(faulty)).collect();
+            let blamed: Vec<Blamed> = faults.iter().flat_map(|faulty| suspects.blamed(faulty)).collect();
             if mend(explainer, limits, &repairs, &mut harsh) {
                 return Came::Repaired;
             }
