@@ -189,6 +189,26 @@ fn houses_that_share_no_plan_become_longer_where_no_seam_is_new() {
     assert!(samples.iter().all(|grid| neighbourhoods(grid).is_subset(&seen)));
 }
 
+/// Two rooms with a slab of stone across each, further back in one of them: where the floor changes, it matters which.
+#[test]
+fn what_stands_otherwise_in_two_places_is_not_drawn_in_either() {
+    let graph = graph_of(
+        "size(7, 4, 10)
+         house --> split(y){ 1 : split(z){ 4 : I(dirt) | ~1 : I(sand) } | ~1 : rooms }
+         rooms --> split(x){ 3 : room(3) | 1 : I(bricks) | 3 : room(4) }
+         room(n) --> split(z){ n : nil | 1 : I(stone) | ~1 : nil }",
+    );
+    let house = sample(&graph, 0);
+    let shown = |freedom: Freedom| {
+        let example = Example::Blocks(house.clone());
+        let graph = infer(&[example.clone(), example], Method::Boxes, freedom).unwrap().graph;
+        let samples: Vec<Grid> = (0..40).map(|seed| sample(&graph, seed)).collect();
+        samples.iter().flat_map(neighbourhoods).collect::<BTreeSet<_>>()
+    };
+    assert_eq!(shown(Freedom::Seen), neighbourhoods(&house).into_iter().collect());
+    assert!(shown(Freedom::Free).len() > shown(Freedom::Seen).len());
+}
+
 #[test]
 fn with_freedom_a_mirrored_seam_is_as_good_as_another() {
     let house = || {

@@ -13,6 +13,8 @@ use std::collections::BTreeSet;
 pub enum Chance {
     /// Wherever the structure is the same, as in seed 1: labels say what belongs together.
     Anywhere,
+    /// Nowhere: what a draw puts side by side may stand so in no example.
+    Nowhere,
     /// Only in bodies of their own. Slices of one body that draw without knowing of each other would tear
     /// it apart.
     Bodies,
@@ -158,7 +160,11 @@ impl Kinds {
         let mut settled = Vec::new();
         for alike in clusters(members) {
             let seen = lengths_of(&alike);
-            let is_free = chance == Chance::Anywhere || is_free(&alike, forest);
+            let is_free = match chance {
+                Chance::Anywhere => true,
+                Chance::Nowhere => false,
+                Chance::Bodies => is_free(&alike, forest),
+            };
             let laws = certain(&seen).or_else(|| ranges(&seen, &stretch).filter(|_| is_free));
             match laws {
                 Some(laws) => settled.push((laws, nodes(&alike))),

@@ -23,7 +23,12 @@ pub struct Held {
 
 impl Held {
     /// `plain` are, by example, further boxes of one block each with its terminal; it may end early.
-    pub fn new(all: Vec<Vec<Site>>, plain: Vec<Vec<(Bounds, u32)>>, terminals: &mut Terminals) -> Held {
+    pub fn new(
+        all: Vec<Vec<Site>>,
+        plain: Vec<Vec<(Bounds, u32)>>,
+        chance: Chance,
+        terminals: &mut Terminals,
+    ) -> Held {
         let first = terminals.list.len() as u32;
         let (mut sites, mut boxes): (Vec<Site>, _) = (Vec::new(), Vec::new());
         for own in all {
@@ -40,7 +45,7 @@ impl Held {
         }
         boxes.iter_mut().zip(plain).for_each(|(boxes, plain)| boxes.extend(plain));
         let slabs: Vec<Slab> = sites.iter().flat_map(|site| contents(site, terminals)).collect();
-        let kinds = combine(&slabs, Chance::Bodies, BTreeSet::new());
+        let kinds = combine(&slabs, chance, BTreeSet::new());
         Held { sites, kinds, boxes, first }
     }
 

@@ -29,8 +29,7 @@ mod weave;
 use crate::grammar::Grammar;
 use crate::graph::{OpGraph, raise};
 use crate::grid::Grid;
-use crate::space::Bounds;
-use combine::Slab;
+use combine::{Chance, Slab};
 use exchange::Exchange;
 use held::Held;
 use neighbourhood::Shown;
@@ -219,8 +218,10 @@ fn by_boxes(
             sites.extend(further);
         }
     }
+    let chance = chance(examples, freedom);
     if method != Method::Shapes {
-        return learnt_apart(&all, sites, Vec::new(), &exchanges, terminals);
+        let held = Held::new(sites, Vec::new(), chance, &mut terminals);
+        return learnt_apart(&all, &held, chance, &exchanges, terminals);
     }
     sites.resize_with(all.len(), Vec::new);
     let mut plain = Vec::new();
@@ -229,19 +230,28 @@ fn by_boxes(
         sites.extend(shaped.sites);
         plain.push(shaped.plain);
     }
-    let learnt = learnt_apart(&all, sites, plain, &exchanges, terminals)?;
+    let held = Held::new(sites, plain, chance, &mut terminals);
+    let learnt = learnt_apart(&all, &held, chance, &exchanges, terminals)?;
     Ok(Learnt { by: Method::Shapes, ..learnt })
 }
 
-/// What is learnt of examples with their sites, and of where they can be exchanged.
+/// Where sizes may be left to chance. What is drawn puts blocks side by side that no example shows so.
+fn chance(examples: &[Example], freedom: Freedom) -> Chance {
+    match (examples.first(), freedom) {
+        (Some(Example::Blocks(_)), Freedom::Seen) => Chance::Nowhere,
+        (Some(Example::Blocks(_)), Freedom::Free) => Chance::Bodies,
+        _ => Chance::Anywhere,
+    }
+}
+
+/// What is learnt of examples with what their sites hold, and of where they can be exchanged.
 fn learnt_apart(
     examples: &[Example],
-    sites: Vec<Vec<Site>>,
-    plain: Vec<Vec<(Bounds, u32)>>,
+    held: &Held,
+    chance: Chance,
     exchanges: &[Exchange],
     mut terminals: Terminals,
 ) -> Result<Learnt, InferError> {
-    let held = Held::new(sites, plain, &mut terminals);
     let mut slabs = Vec::new();
     for (number, example) in examples.iter().enumerate() {
         let group = exchanges.iter().find(|group| group.members.contains(&number));
@@ -250,12 +260,8 @@ fn learnt_apart(
         let trees = trees.map_err(|problem| InferError::Boxes { example: number, problem })?;
         slabs.extend(boxes.into_iter().zip(trees).map(|(bounds, tree)| Slab { bounds, tree }));
     }
-    let chance = match examples.first() {
-        Some(Example::Blocks(_)) => combine::Chance::Bodies,
-        _ => combine::Chance::Anywhere,
-    };
     let kinds = combine::combine(&slabs, chance, held.labels());
-    Ok(emit::emit(&kinds, &held, exchanges, &terminals, examples))
+    Ok(emit::emit(&kinds, held, exchanges, &terminals, examples))
 }
 
 /// An example that can be made in so many ways is not woven into further ones: nine of ten are new already.

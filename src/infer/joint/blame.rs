@@ -2,9 +2,10 @@
 
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Place};
-use super::derivation::{At, Derivation, Taken};
+use super::derivation::{At, Derivation, Operation};
 use super::emit::Emitted;
 use super::limits::between;
+use super::narrow::{self, Taken};
 use super::plan::{self, Form, NodeId, Plan};
 use super::samples::{Fault, Faulty};
 use crate::graph::NodeIndex;
@@ -19,8 +20,6 @@ pub enum Repair {
     Tear { last: Class, first: Class, axis: Axis },
     /// What was made for these boxes stands only where a scope is as long as they.
     Limit { boxes: Boxes, axis: Axis },
-    /// These boxes are mixed with no other.
-    Keep(Boxes),
 }
 
 /// What was learnt, to find out what is to blame.
@@ -32,8 +31,14 @@ pub struct Suspects<'s> {
     pub made_for: &'s FxHashMap<NodeId, Vec<Boxes>>,
 }
 
-/// The repairs of one fault, the mildest first; those of equal mildness stand together.
-pub type Repairs = Vec<Vec<Repair>>;
+/// The repairs of one fault.
+#[derive(Default, Debug)]
+pub struct Repairs {
+    /// The mildest first; those of equal mildness stand together.
+    pub mild: Vec<Vec<Repair>>,
+    /// What would have to be mixed with no other, if nothing else is left to do: the least first.
+    pub kept: Vec<Boxes>,
+}
 
 impl Suspects<'_> {
     /// What would prevent each fault of a sample.
@@ -47,6 +52,15 @@ impl Suspects<'_> {
                 let sample = Sample { derivation, cells };
                 windows.iter().flat_map(|window| self.of_window(&sample, *window)).collect()
             }
+        }
+    }
+
+    /// For each place of a fault, the choices that the sample made there.
+    pub fn choices(&self, faulty: &Faulty) -> Vec<Vec<Taken>> {
+        let of = |window: Bounds| narrow::taken(self.plan, self.emitted, &faulty.derivation, window);
+        match &faulty.fault {
+            Fault::Failed => Vec::new(),
+            Fault::Unseen { windows, .. } => windows.iter().map(|window| of(*window)).collect(),
         }
     }
 
@@ -73,14 +87,14 @@ impl Suspects<'_> {
         let others: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| *axis != meeting.axis).collect();
         let of_sizes = self.of_sizes(sample.derivation, at, &others);
         let torn = if shown.contains(&[true; 2]) { Vec::new() } else { torn(&meeting, &shown) };
-        vec![std::iter::once(torn).chain(of_sizes).collect()]
+        vec![Repairs { mild: std::iter::once(torn).chain(of_sizes.mild).collect(), ..of_sizes }]
     }
 
     /// The parts of an operation that meet in a window, with what meets there in all its boxes.
     fn meeting(&mut self, sample: &Sample<'_>, at: At, window: Bounds) -> Option<Meeting> {
         let touched =
             sample.derivation.children(at).filter(|part| !part.bounds.intersect(&window).is_empty());
-        let [low, high] = <[Taken; 2]>::try_from(touched.collect::<Vec<Taken>>()).ok()?;
+        let [low, high] = <[Operation; 2]>::try_from(touched.collect::<Vec<Operation>>()).ok()?;
         let axis = Axis::ALL.into_iter().find(|axis| axis.of(low.bounds.max) == axis.of(high.bounds.min))?;
         let mut ends = Vec::new();
         for id in self.planned(sample.derivation, at) {
@@ -122,13 +136,13 @@ impl Suspects<'_> {
                 let boxes = self.limited(derivation, at, *axis, bounds.len(*axis))?;
                 Some(vec![Repair::Limit { boxes, axis: *axis }])
             });
-            limits.collect::<Repairs>()
+            limits.collect::<Vec<Vec<Repair>>>()
         });
-        let kept = derivation.from(at).flat_map(|at| self.planned(derivation, at)).flat_map(|id| {
-            let made_for = self.made_for.get(&id).into_iter().flatten();
-            made_for.map(|boxes| vec![Repair::Keep(boxes.clone())])
-        });
-        limits.chain(kept).collect()
+        let kept = derivation
+            .from(at)
+            .flat_map(|at| self.planned(derivation, at))
+            .flat_map(|id| self.made_for.get(&id).into_iter().flatten().cloned());
+        Repairs { mild: limits.collect(), kept: kept.collect() }
     }
 
     /// The boxes that an alternative was made for, if another one is to be preferred at this length; those of all

@@ -6,7 +6,7 @@ use super::seams::Seams;
 use super::volume::Volume;
 use crate::grid::Content;
 use crate::space::{Axis, Bounds, Cell};
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
 use std::hash::Hasher;
@@ -112,6 +112,8 @@ pub struct Corpus {
     peeled: FxHashMap<(Class, Peel), i32>,
     seams: Seams,
     fits: FxHashMap<(Class, Class, Axis), bool>,
+    /// What never stands side by side for all that the examples show.
+    torn: FxHashSet<(Class, Class, Axis)>,
     /// The number of air.
     pub air: u32,
     /// Whether rows of things are drawn cell by cell.
@@ -132,6 +134,7 @@ impl Corpus {
         Corpus {
             seams: Seams::of(&volumes),
             fits: FxHashMap::default(),
+            torn: FxHashSet::default(),
             air,
             draws_rows: false,
             origins: Vec::new(),
@@ -148,6 +151,12 @@ impl Corpus {
             folded: FxHashMap::default(),
             peeled: FxHashMap::default(),
         }
+    }
+
+    /// Begins another search, of so much work: nothing is torn, and what was found out is known.
+    pub fn begin(&mut self, most_asked: u64) {
+        (self.asked, self.most_asked) = (0, most_asked);
+        self.torn.clear();
     }
 
     /// Whether so much was looked at that the search is cut short.
@@ -263,6 +272,9 @@ impl Corpus {
     /// shows. `None` if they differ in size across the axis.
     pub fn fit(&mut self, left: Class, right: Class, axis: Axis) -> Option<bool> {
         let [last, first] = self.ends(left, right, axis);
+        if self.torn.contains(&(last, first, axis)) {
+            return Some(false);
+        }
         if let Some(&known) = self.fits.get(&(last, first, axis)) {
             return Some(known);
         }
@@ -283,7 +295,7 @@ impl Corpus {
 
     /// Boxes that end in `last` never stand before boxes that begin with `first` any more; whether that is new.
     pub fn tear(&mut self, last: Class, first: Class, axis: Axis) -> bool {
-        self.fits.insert((last, first, axis), false) != Some(false)
+        self.torn.insert((last, first, axis))
     }
 
     /// The class of a box with other terminals.

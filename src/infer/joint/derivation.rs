@@ -6,7 +6,7 @@ use crate::space::Bounds;
 
 /// An operation that ran.
 #[derive(Clone, Copy, Debug)]
-pub struct Taken {
+pub struct Operation {
     pub node: NodeIndex,
     pub bounds: Bounds,
     /// Which child of the operation before it this is.
@@ -16,14 +16,18 @@ pub struct Taken {
 
 /// The operations in the order in which they ran: what follows from one stands right behind it.
 #[derive(Default, Debug)]
-pub struct Derivation(Vec<Taken>);
+pub struct Derivation(Vec<Operation>);
 
 /// The number of an operation in a derivation.
 pub type At = usize;
 
 impl Derivation {
-    pub fn get(&self, at: At) -> Taken {
+    pub fn get(&self, at: At) -> Operation {
         self.0[at]
+    }
+
+    pub fn len(&self) -> usize {
+        self.0.len()
     }
 
     /// The operation that was begun last.
@@ -38,10 +42,10 @@ impl Derivation {
     }
 
     /// The operations that follow from one at once.
-    pub fn children(&self, at: At) -> impl Iterator<Item = Taken> + '_ {
+    pub fn children(&self, at: At) -> impl Iterator<Item = Operation> + '_ {
         let depth = self.0[at].depth;
-        let within = self.0[at + 1..].iter().take_while(move |taken| taken.depth > depth);
-        within.filter(move |taken| taken.depth == depth + 1).copied()
+        let within = self.0[at + 1..].iter().take_while(move |operation| operation.depth > depth);
+        within.filter(move |operation| operation.depth == depth + 1).copied()
     }
 
     pub fn before(&self, at: At) -> Option<At> {
@@ -56,13 +60,13 @@ impl Derivation {
 
 impl Observer for Derivation {
     fn step(&mut self, step: Step) -> Trail {
-        let taken = Taken {
+        let operation = Operation {
             node: step.node,
             bounds: step.scope.bounds,
             number: step.number as usize,
             depth: step.before.steps().count(),
         };
-        self.0.push(taken);
+        self.0.push(operation);
         Trail::of(step)
     }
 }

@@ -28,6 +28,11 @@ pub struct Emitted {
 }
 
 impl Emitted {
+    /// The operation at a node of what was learnt.
+    pub fn op(&self, node: NodeIndex) -> &Op {
+        self.learnt.graph.op(node)
+    }
+
     /// The boxes that a node which the root reaches stands for.
     pub fn boxes(&self, id: NodeId) -> &Boxes {
         &self.boxes[&id]

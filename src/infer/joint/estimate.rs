@@ -62,7 +62,9 @@ impl Estimates {
                 + units_and_separators(&rows).map(|part| self.plain(corpus, &part)).iter().sum::<f64>()
         });
         let bits = alternating.fold(bits, f64::min);
-        self.boxes.insert(boxes.clone(), bits);
+        if !corpus.is_spent() {
+            self.boxes.insert(boxes.clone(), bits);
+        }
         bits
     }
 
@@ -155,7 +157,9 @@ impl Estimates {
                 long.iter().map(across).fold(f64::INFINITY, f64::min)
             }
         };
-        self.skeletons.insert(skeleton, bits);
+        if !corpus.is_spent() {
+            self.skeletons.insert(skeleton, bits);
+        }
         bits
     }
 }

@@ -22,7 +22,7 @@ use smallvec::SmallVec;
 pub struct Explainer<'c> {
     pub corpus: &'c mut Corpus,
     pub plan: Plan,
-    estimates: Estimates,
+    estimates: &'c mut Estimates,
     memo: Memo,
     recolourings: FxHashMap<Boxes, Option<Recolouring>>,
     /// Boxes that are mixed with no other: they are told apart from them, and keep their sizes.
@@ -70,10 +70,10 @@ enum Step {
 }
 
 impl<'c> Explainer<'c> {
-    pub fn new(corpus: &'c mut Corpus) -> Explainer<'c> {
-        let (plan, estimates) = (Plan::default(), Estimates::default());
-        let (memo, recolourings, kept) = Default::default();
-        corpus.most_asked = MOST_ASKED / AHEAD_TAKES;
+    /// Begins a search. What was found out of the boxes before, by other searches, is known.
+    pub fn new(corpus: &'c mut Corpus, estimates: &'c mut Estimates) -> Explainer<'c> {
+        let (plan, memo, recolourings, kept) = Default::default();
+        corpus.begin(MOST_ASKED / AHEAD_TAKES);
         Explainer { corpus, plan, estimates, memo, recolourings, kept, first: None }
     }
 
@@ -607,7 +607,8 @@ mod tests {
                 let mut corpus = Corpus::new(volumes, 0);
                 let places = corpus.examples();
                 let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
-                let mut explainer = Explainer::new(&mut corpus);
+                let mut estimates = Estimates::default();
+                let mut explainer = Explainer::new(&mut corpus, &mut estimates);
                 explainer.explain(&boxes, Search(0));
                 assert!(explainer.is_spent());
                 explainer.corpus.asked

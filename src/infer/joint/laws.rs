@@ -250,12 +250,17 @@ pub fn law_of(lengths: impl Iterator<Item = (i32, u32)>) -> Law {
     if low == high {
         return Law::Const(*low);
     }
-    let step = counts.keys().map(|len| len - low).fold(0, gcd);
+    let step = match counts.len() {
+        // Two lengths tell of no step.
+        2 if high - low == 2 => 1,
+        _ => counts.keys().map(|len| len - low).fold(0, gcd),
+    };
     let range = Law::Range { low: *low, high: *high, step };
     let cost = |law: &Law| law.bits() + law.chance(counts.iter().map(|(len, count)| (*len, *count)));
     let lens: Vec<i32> = counts.keys().copied().collect();
     let is_full = lens.windows(2).all(|pair| pair[1] - pair[0] == step);
-    let is_dense = lens.len() >= MANY && lens.windows(2).all(|pair| pair[1] - pair[0] <= 3 * step);
+    let is_dense =
+        (lens.len() == 2 || lens.len() >= MANY) && lens.windows(2).all(|pair| pair[1] - pair[0] <= 3 * step);
     if (is_full || is_dense) && cost(&range) <= cost(&table) { range } else { table }
 }
 
