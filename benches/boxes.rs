@@ -5,8 +5,13 @@ mod jumble;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use vox::infer::{Node, NodeId, Part, Tree, TreeBuilder, UPRIGHT_FIRST, split_boxes};
-use vox::space::{Axis, Bounds};
+use vox::graph::lower;
+use vox::grid::LabelledBoxes;
+use vox::infer::{
+    Example, Freedom, Method, Node, NodeId, Part, Tree, TreeBuilder, UPRIGHT_FIRST, infer, split_boxes,
+};
+use vox::run::{Options, run_boxes};
+use vox::space::{Axis, Bounds, Cell};
 
 const SIZES: [usize; 7] = [500, 2_000, 8_000, 32_000, 125_000, 500_000, 1_000_000];
 const NAIVE_SIZES: [usize; 3] = [500, 2_000, 8_000];
@@ -76,5 +81,26 @@ fn clear_plane(cell: Bounds, boxes: &[(Bounds, u32)]) -> Option<(Axis, i32)> {
         .find(|&(axis, at)| boxes.iter().all(|(b, _)| axis.of(b.max) <= at || at <= axis.of(b.min)))
 }
 
-criterion_group!(benches, ordered, naive);
+/// What is learnt of three and of ten cities of seed 1: the rules, and how long it takes without the proof of the command.
+fn cities(c: &mut Criterion) {
+    let checked =
+        vox::grammar::read(include_str!("../tests/seed1/skyscraper-city.grammar")).expect("it is right");
+    let city = lower(&checked, None).expect("it has a first rule");
+    let example = |seed| {
+        let options = Options { seed, size: Some(Cell::new(128, 128, 64)), ..Options::default() };
+        let made = run_boxes(&city, &options).expect("it runs").made;
+        Example::Boxes(LabelledBoxes::new(made).expect("it holds something"))
+    };
+    let mut group = c.benchmark_group("boxes/cities");
+    group.sample_size(10);
+    for count in [3, 10] {
+        let examples: Vec<Example> = (0..count).map(example).collect();
+        let learn = || infer(&examples, Method::Joint, Freedom::Seen).expect("it is learnt");
+        println!("{count} cities: {} rules", learn().grammar().rules.len());
+        group.bench_function(BenchmarkId::from_parameter(count), |b| b.iter(learn));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, ordered, naive, cities);
 criterion_main!(benches);

@@ -48,11 +48,30 @@ pub const PLAN_FIRST: Turns = [Axis::X, Axis::Z, Axis::Y];
 /// numbers of boxes, then on y before x before z, then at the low end; a cut box becomes two leaves of
 /// its label. The order of the boxes does not matter.
 pub fn split_boxes(container: Bounds, boxes: &[(Bounds, u32)], turns: Turns) -> Result<Tree, BadBoxes> {
+    split_boxes_by(container, boxes, turns, Succession::InTurn)
+}
+
+/// Which axis is tried first inside of a split.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Succession {
+    /// The one after that of the split, as in seed 1.
+    InTurn,
+    /// The first of all.
+    Afresh,
+}
+
+/// As [`split_boxes`], with another succession of the axes.
+pub fn split_boxes_by(
+    container: Bounds,
+    boxes: &[(Bounds, u32)],
+    turns: Turns,
+    succession: Succession,
+) -> Result<Tree, BadBoxes> {
     check(container, boxes)?;
     let mut tree = TreeBuilder::new();
     let root = match boxes {
         [] => tree.nil(),
-        _ => Splitter::new(boxes, turns, &mut tree).run(container)?,
+        _ => Splitter::new(boxes, (turns, succession), &mut tree).run(container)?,
     };
     Ok(tree.finish(root))
 }
@@ -151,6 +170,7 @@ impl Place {
 struct Splitter<'a> {
     tree: &'a mut TreeBuilder,
     turns: Turns,
+    succession: Succession,
     pieces: Vec<Piece>,
     /// By axis: the spans of all containers still to do, one container after the other, by low end.
     orders: [Vec<Span>; 3],
@@ -167,11 +187,16 @@ struct Splitter<'a> {
 }
 
 impl<'a> Splitter<'a> {
-    fn new(boxes: &[(Bounds, u32)], turns: Turns, tree: &'a mut TreeBuilder) -> Splitter<'a> {
+    fn new(
+        boxes: &[(Bounds, u32)],
+        (turns, succession): (Turns, Succession),
+        tree: &'a mut TreeBuilder,
+    ) -> Splitter<'a> {
         let pieces = numbered_along_x(boxes);
         Splitter {
             tree,
             turns,
+            succession,
             orders: Axis::ALL.map(|axis| sorted_spans(boxes, &pieces, axis)),
             part_of: vec![0; pieces.len()],
             pieces,
@@ -233,7 +258,11 @@ impl<'a> Splitter<'a> {
     }
 
     fn division(&mut self, start: usize, last: Axis, settled: Option<Axis>) -> Result<Division, BadBoxes> {
-        for axis in turns_after(self.turns, last).into_iter().filter(|&axis| Some(axis) != settled) {
+        let axes = match self.succession {
+            Succession::InTurn => turns_after(self.turns, last),
+            Succession::Afresh => self.turns,
+        };
+        for axis in axes.into_iter().filter(|&axis| Some(axis) != settled) {
             sweep(&self.orders[axis.index()], start, &mut self.groups);
             if self.groups.len() > 1 {
                 return Ok(Division::Clear(axis));

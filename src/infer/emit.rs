@@ -6,11 +6,13 @@ use super::exchange::Exchange;
 use super::fold::Piece;
 use super::held::Held;
 use super::law::Law;
-use super::{Learnt, Method, Notes};
+use super::{Labels, Learnt, Method, Notes};
 use crate::block::{self, BlockState, Version};
 use crate::grammar::ast::BinaryOp;
 use crate::grammar::{is_primitive, is_reserved};
-use crate::graph::{Alternative, Arg, Builder, Constant, Expr, NodeIndex, Op, Size, StartSize, Thing};
+use crate::graph::{
+    Alternative, Arg, Builder, Constant, Expr, NodeIndex, Op, OpGraph, Size, StartSize, Thing,
+};
 use crate::neighbours::decided;
 use crate::space::{Axis, Cell, Up};
 use std::collections::BTreeMap;
@@ -26,8 +28,7 @@ pub fn emit(
 ) -> Learnt {
     let mut emitter = Emitter {
         builder: Builder::default(),
-        constants: Vec::new(),
-        labels: Vec::new(),
+        primitives: Primitives::default(),
         nodes: Vec::new(),
         sites: Vec::new(),
         known: BTreeMap::new(),
@@ -36,10 +37,9 @@ pub fn emit(
     emitter.sites(sites);
     emitter.kinds(kinds, terminals);
     let root = emitter.root(&slab_nodes(kinds, exchanges, &emitter.nodes), exchanges, examples);
-    let Emitter { builder, constants, labels, .. } = emitter;
+    let Emitter { builder, primitives, .. } = emitter;
     let (mut graph, _) = builder.finish(root);
-    let labels = constants.iter().map(|known| known.name.clone()).zip(labels).collect();
-    graph.constants = constants;
+    let labels = primitives.place_in(&mut graph);
     graph.sizes = sizes(examples);
     graph.data_version = data_version(examples);
     Learnt { graph, labels, by: Method::Boxes, notes: Notes::default() }
@@ -47,9 +47,7 @@ pub fn emit(
 
 struct Emitter {
     builder: Builder,
-    constants: Vec<Constant>,
-    /// The labels that the constants stand for.
-    labels: Vec<String>,
+    primitives: Primitives,
     /// The node of each kind.
     nodes: Vec<NodeIndex>,
     /// The node of each site.
@@ -83,7 +81,7 @@ impl Emitter {
             Kind::Nil => self.builder.nil(),
             Kind::Leaf(label) => match terminals.list.get(*label as usize) {
                 Some(Terminal::Block(state)) => self.builder.primitive(block_expr(state)),
-                Some(Terminal::Label(label)) => self.labelled(label),
+                Some(Terminal::Label(label)) => self.primitives.labelled(&mut self.builder, label),
                 None => self.sites[*label as usize - terminals.list.len()],
             },
             Kind::Split { axis, items } => {
@@ -122,50 +120,6 @@ impl Emitter {
         let body = self.builder.split(Expr::Axis(axis), parts);
         let op = Op::Repeat { axis: Expr::Axis(axis), size: Expr::number(f64::from(period)), snap: None };
         self.builder.node(op, vec![(Arg::None, body)])
-    }
-
-    /// A labelled primitive. `corner@90` is a corner turned by 90 degrees; a label that is no primitive of
-    /// the language becomes a constant, which says what it is made of.
-    fn labelled(&mut self, label: &str) -> NodeIndex {
-        let (name, turn) = turned_label(label);
-        let expr = match is_primitive(name) || block::known(name).is_some() {
-            true => Expr::name(name),
-            false => self.constant(name),
-        };
-        let primitive = self.builder.primitive(expr);
-        match turn {
-            0 => primitive,
-            turn => {
-                let angle = Expr::number(90.0 * f64::from(turn));
-                let op = Op::Rotate { axis: Expr::Axis(Up::Y.axis()), angle };
-                self.builder.node(op, vec![(Arg::None, primitive)])
-            }
-        }
-    }
-
-    /// The constant for a label, with a material that stands in for what the label means.
-    fn constant(&mut self, label: &str) -> Expr {
-        let at = self.labels.iter().position(|known| known == label).unwrap_or_else(|| {
-            let color = COLOURS[self.constants.len() % COLOURS.len()];
-            let name = self.free_name(label);
-            let value = Expr::name(format!("{color}_concrete"));
-            self.constants.push(Constant { name, value, attribute: None });
-            self.labels.push(label.to_owned());
-            self.labels.len() - 1
-        });
-        Expr::Constant(at)
-    }
-
-    /// The label as a name that means nothing else yet.
-    fn free_name(&self, label: &str) -> String {
-        let name = identifier(label);
-        let is_free = |name: &String| {
-            !is_reserved(name)
-                && block::known(name).is_none()
-                && self.constants.iter().all(|known| known.name != *name)
-        };
-        let numbered = (2..).map(|number| format!("{name}_{number}"));
-        std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or_default()
     }
 
     /// The choice between examples of different sizes. Each is bound to its own size: at others it would be
@@ -231,6 +185,68 @@ impl Emitter {
         let node = self.builder.choose(alternatives);
         self.known.insert(key, node);
         node
+    }
+}
+
+/// The primitives of labels, and the constants for those that the language does not know.
+#[derive(Default)]
+pub struct Primitives {
+    constants: Vec<Constant>,
+    /// The labels that the constants stand for.
+    labels: Vec<String>,
+}
+
+impl Primitives {
+    /// Gives a graph the constants; returns the labels that they stand for.
+    pub fn place_in(self, graph: &mut OpGraph) -> Labels {
+        let names = self.constants.iter().map(|known| known.name.clone());
+        let labels = names.zip(self.labels).collect();
+        graph.constants = self.constants;
+        labels
+    }
+
+    /// A labelled primitive. `corner@90` is a corner turned by 90 degrees; a label that is no primitive of
+    /// the language becomes a constant, which says what it is made of.
+    pub fn labelled(&mut self, builder: &mut Builder, label: &str) -> NodeIndex {
+        let (name, turn) = turned_label(label);
+        let expr = match is_primitive(name) || block::known(name).is_some() {
+            true => Expr::name(name),
+            false => self.constant(name),
+        };
+        let primitive = builder.primitive(expr);
+        match turn {
+            0 => primitive,
+            turn => {
+                let angle = Expr::number(90.0 * f64::from(turn));
+                let op = Op::Rotate { axis: Expr::Axis(Up::Y.axis()), angle };
+                builder.node(op, vec![(Arg::None, primitive)])
+            }
+        }
+    }
+
+    /// The constant for a label, with a material that stands in for what the label means.
+    fn constant(&mut self, label: &str) -> Expr {
+        let at = self.labels.iter().position(|known| known == label).unwrap_or_else(|| {
+            let color = COLOURS[self.constants.len() % COLOURS.len()];
+            let name = self.free_name(label);
+            let value = Expr::name(format!("{color}_concrete"));
+            self.constants.push(Constant { name, value, attribute: None });
+            self.labels.push(label.to_owned());
+            self.labels.len() - 1
+        });
+        Expr::Constant(at)
+    }
+
+    /// The label as a name that means nothing else yet.
+    fn free_name(&self, label: &str) -> String {
+        let name = identifier(label);
+        let is_free = |name: &String| {
+            !is_reserved(name)
+                && block::known(name).is_none()
+                && self.constants.iter().all(|known| known.name != *name)
+        };
+        let numbered = (2..).map(|number| format!("{name}_{number}"));
+        std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or_default()
     }
 }
 

@@ -3,9 +3,10 @@
 use super::tree::{Node, NodeId, Part, Tree, TreeBuilder};
 use super::{BadBoxes, PLAN_FIRST, UPRIGHT_FIRST, cuboids, split_boxes};
 use crate::block::{BlockState, Mirror, Palette, PaletteFull, complete};
+use crate::graph::OpGraph;
 use crate::grid::{Grid, LabelledBoxes};
 use crate::neighbours::unsettle;
-use crate::parse::Parser;
+use crate::parse::{Labels, Laws, Parser};
 use crate::space::{Axis, Bounds, Cell, Turn};
 use ndarray::Array3;
 use std::collections::BTreeMap;
@@ -171,6 +172,25 @@ impl Example {
             Example::Boxes(_) => split_boxes(bounds, boxes, PLAN_FIRST),
         }
     }
+}
+
+/// By example, whether a parser finds a derivation. What is learnt of one grid helps with the next; labelled boxes are
+/// looked at side by side. More than so many `steps` are not taken for one example.
+pub fn derived(examples: &[Example], graph: &OpGraph, labels: &Labels, steps: u64) -> Vec<bool> {
+    let in_order = |examples: &[Example]| -> Vec<bool> {
+        let parser = Parser::new(graph, Laws::AsWritten).with_labels(labels).with_steps(steps);
+        examples.iter().map(|example| example.is_derived_by(&parser)).collect()
+    };
+    if !matches!(examples, [Example::Boxes(_), _, ..]) {
+        return in_order(examples);
+    }
+    let most = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        let chunks = examples.chunks(examples.len().div_ceil(most));
+        let running: Vec<_> = chunks.map(|chunk| scope.spawn(move || in_order(chunk))).collect();
+        let results = running.into_iter().map(|thread| thread.join());
+        results.flat_map(|result| result.unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
+    })
 }
 
 /// The grid with open states; with all properties written in the odd case that its palette is too full for that.

@@ -22,11 +22,12 @@ mod neighbourhood;
 mod shaped;
 mod swaps;
 pub mod tree;
+mod trees;
 mod variety;
 mod weave;
 
 use crate::grammar::Grammar;
-use crate::graph::OpGraph;
+use crate::graph::{OpGraph, raise};
 use crate::grid::Grid;
 use combine::{Chance, Slab};
 use exchange::Exchange;
@@ -38,7 +39,7 @@ use swaps::{Settled, Site};
 pub use crate::parse::Labels;
 pub use boxes::{BadBoxes, PLAN_FIRST, Turns, UPRIGHT_FIRST, split_boxes};
 pub use cuboids::cuboids;
-pub use example::{Example, Terminal, Terminals};
+pub use example::{Example, Terminal, Terminals, derived};
 pub use naming::Notes;
 pub use tree::{Node, NodeId, Part, Tree, TreeBuilder};
 pub use variety::variety;
@@ -140,7 +141,32 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
         }
         Method::Joint | Method::Boxes | Method::Shapes => by_boxes(&open, freedom, Mixing::Woven, method),
     };
+    let learnt = match (method, first) {
+        (Method::Joint, Example::Boxes(_)) => learnt.map(|apart| shorter(apart, &open)),
+        _ => learnt,
+    };
     Ok(naming::name(learnt?, examples))
+}
+
+/// So few rules can be read as they are: they stay as exact as they are.
+const FEW_RULES: usize = 64;
+
+/// The steps of a proof of one example, about a second: what takes longer to prove is left.
+const MOST_PROVED: u64 = 1 << 18;
+
+/// What labelled boxes have in common, if that takes fewer rules than to learn each by itself and a parser proves it.
+/// Lists forget in which order their units come, which few rules need not.
+fn shorter(apart: Learnt, examples: &[Example]) -> Learnt {
+    let count = |learnt: &Learnt| raise(&learnt.graph).rules.len();
+    let apart_count = count(&apart);
+    if examples.len() < 2 || apart_count <= FEW_RULES {
+        return apart;
+    }
+    let joined = trees::joined(examples).filter(|joined| count(joined) < apart_count);
+    let is_proved = |joined: &Learnt| {
+        derived(examples, &joined.graph, &joined.labels, MOST_PROVED).into_iter().all(|is| is)
+    };
+    joined.filter(is_proved).unwrap_or(apart)
 }
 
 /// How examples that are learnt one by one are mixed.

@@ -4,7 +4,7 @@
 
 use super::chart::{Choice, Rigour};
 use super::derivation::{Derivation, Step};
-use super::search::{Memory, Rules, Search};
+use super::search::{Aim, Memory, Rules, Search};
 use super::target::Target;
 use crate::grid::Grid;
 use crate::space::{Bounds, Cell, Scope};
@@ -56,7 +56,7 @@ pub fn unexplained(
     nearest: Option<Derivation>,
 ) -> Unexplained {
     let cells = solid(target, target.bounds());
-    let mut search = Search::new(rules, memory, target, Rigour::Nearest, 0);
+    let mut search = Search::new(rules, memory, target, (Rigour::Nearest, Aim::Cheapest), 0);
     let mut places: Vec<(u64, u64, Bounds)> = Vec::new();
     for step in nearest.iter().flat_map(|nearest| &nearest.steps) {
         if let Choice::Other(lost) = step.choice {

@@ -71,7 +71,7 @@ impl Search<'_, '_> {
     fn laid_out(&mut self, parts: Parts<'_>, ends: &[i32]) -> Option<Found> {
         let laid: Vec<Laid> =
             ends.windows(2).enumerate().map(|(at, ends)| parts.laid(at, ends[0], ends[1])).collect();
-        let cost = drawn(parts, ends);
+        let cost = drawn(parts.row, parts.laws, ends);
         self.row(parts.row, &laid, cost)
     }
 
@@ -287,15 +287,15 @@ fn walked(tables: &[Reached], place: i32) -> Option<Vec<i32>> {
 }
 
 /// What the drawn sizes of a split cost that ends so.
-fn drawn(parts: Parts<'_>, ends: &[i32]) -> Cost {
+pub fn drawn(row: Row<'_>, laws: &[Law], ends: &[i32]) -> Cost {
     let lengths = ends.windows(2).map(|pair| pair[1] - pair[0]);
     let bits = |(law, length): (&Law, i32)| match law.whole() {
         Some(whole) => whole.iter().filter(|(own, _)| *own == length).map(|(_, chance)| -chance.log2()).sum(),
         None => 0.0,
     };
-    let spans: Vec<Span> = parts.laws.iter().map(Law::ends).collect();
-    let loose = looseness(parts.row.total(), &spans, parts.laws);
-    Cost::of_bits(parts.laws.iter().zip(lengths).map(bits).sum::<f64>() + loose)
+    let spans: Vec<Span> = laws.iter().map(Law::ends).collect();
+    let loose = looseness(row.total(), &spans, laws);
+    Cost::of_bits(laws.iter().zip(lengths).map(bits).sum::<f64>() + loose)
 }
 
 /// What it takes to say lengths between two: one of the whole ones that they may come to.

@@ -3,6 +3,7 @@
 //! The search goes from the root down as a run does, and looks at the target instead of drawing. Equal parts of the
 //! target are parsed once under each operation, whatever their place.
 
+mod any;
 mod chart;
 mod cost;
 mod coverage;
@@ -31,7 +32,7 @@ use chart::{Chart, Rigour};
 use cost::Cost;
 use looks::Looks;
 use rustc_hash::FxHashMap;
-use search::{Memory, Rules, Search};
+use search::{Aim, Memory, Rules, Search};
 use states::States;
 use std::cell::{RefCell, RefMut};
 use std::collections::BTreeMap;
@@ -59,7 +60,13 @@ pub enum Laws {
 pub type Labels = BTreeMap<String, String>;
 
 /// Operations that one search may look at.
-const MOST_STEPS: u64 = 1 << 22;
+pub const MOST_STEPS: u64 = 1 << 22;
+
+/// How exact a derivation is to be, and which one is looked for.
+type How = (Rigour, Aim);
+const EXACT: How = (Rigour::Exact, Aim::Cheapest);
+const ANY: How = (Rigour::Exact, Aim::Any);
+const NEAREST: How = (Rigour::Nearest, Aim::Cheapest);
 
 static NO_LIBRARY: Library = Library::new();
 static NO_LABELS: Labels = Labels::new();
@@ -118,8 +125,8 @@ impl<'g> Parser<'g> {
         let mut memory = self.ready(version);
         let blocks = Blocks::of(grid, version, &mut memory.states).ok()?;
         let target = Target::Blocks(blocks);
-        let best = self.search(&mut memory, &target, Rigour::Nearest).ok()?;
-        Some(self.listed(&mut memory, &target, &best, Rigour::Nearest))
+        let best = self.search(&mut memory, &target, NEAREST).ok()?;
+        Some(self.listed(&mut memory, &target, &best, NEAREST))
     }
 
     /// As [`Parser::parse`], for labelled boxes. Cells count as blocks.
@@ -131,19 +138,30 @@ impl<'g> Parser<'g> {
         parsed
     }
 
+    /// Some derivation of labelled boxes, which need not be the cheapest: far sooner found where there are many.
+    pub fn any_of_boxes(&self, boxes: &LabelledBoxes) -> Option<Derivation> {
+        let mut memory = self.memory.borrow_mut();
+        memory.chart = Chart::default();
+        let target = Target::Boxes(Placed::of(boxes));
+        let found = self.search(&mut memory, &target, ANY).ok();
+        let derivation = found.map(|found| self.listed(&mut memory, &target, &found, ANY));
+        memory.chart = Chart::default();
+        derivation
+    }
+
     /// Whether there is a derivation of a grid: cheaper than to find out what is not explained.
     pub fn derives(&self, grid: &Grid) -> bool {
         let version = grid.data_version();
         let mut memory = self.ready(version);
         let blocks = Blocks::of(grid, version, &mut memory.states);
-        blocks.is_ok_and(|blocks| self.search(&mut memory, &Target::Blocks(blocks), Rigour::Exact).is_ok())
+        blocks.is_ok_and(|blocks| self.search(&mut memory, &Target::Blocks(blocks), EXACT).is_ok())
     }
 
     /// As [`Parser::derives`], for labelled boxes.
     pub fn derives_boxes(&self, boxes: &LabelledBoxes) -> bool {
         let mut memory = self.memory.borrow_mut();
         memory.chart = Chart::default();
-        let found = self.search(&mut memory, &Target::Boxes(Placed::of(boxes)), Rigour::Exact);
+        let found = self.search(&mut memory, &Target::Boxes(Placed::of(boxes)), ANY);
         memory.chart = Chart::default();
         found.is_ok()
     }
@@ -159,21 +177,21 @@ impl<'g> Parser<'g> {
     }
 
     fn parse_target(&self, memory: &mut Memory, target: &Target<'_>) -> Result<Derivation, Unexplained> {
-        match self.search(memory, target, Rigour::Exact) {
-            Ok(best) => Ok(self.listed(memory, target, &best, Rigour::Exact)),
+        match self.search(memory, target, EXACT) {
+            Ok(best) => Ok(self.listed(memory, target, &best, EXACT)),
             Err(reason) => Err(self.unexplained(memory, target, reason)),
         }
     }
 
     /// What the derivation that comes nearest leaves open.
     fn unexplained(&self, memory: &mut Memory, target: &Target<'_>, reason: Reason) -> Unexplained {
-        let nearest = self.search(memory, target, Rigour::Nearest);
-        let nearest = nearest.map(|best| self.listed(memory, target, &best, Rigour::Nearest));
+        let nearest = self.search(memory, target, NEAREST);
+        let nearest = nearest.map(|best| self.listed(memory, target, &best, NEAREST));
         coverage::unexplained(&self.rules, memory, target, reason, nearest.ok())
     }
 
-    fn listed(&self, memory: &mut Memory, target: &Target<'_>, best: &Best, rigour: Rigour) -> Derivation {
-        let mut search = Search::new(&self.rules, memory, target, rigour, self.steps);
+    fn listed(&self, memory: &mut Memory, target: &Target<'_>, best: &Best, how: How) -> Derivation {
+        let mut search = Search::new(&self.rules, memory, target, how, self.steps);
         let steps = search.steps(self.rules.graph.root(), best.start, &self.start(target));
         Derivation { bits: best.cost.bits, steps }
     }
@@ -184,14 +202,14 @@ impl<'g> Parser<'g> {
     }
 
     /// The cheapest derivation over all values that the constants may have.
-    fn search(&self, memory: &mut Memory, target: &Target<'_>, rigour: Rigour) -> Result<Best, Reason> {
+    fn search(&self, memory: &mut Memory, target: &Target<'_>, how: How) -> Result<Best, Reason> {
         let (root, scope) = (self.rules.graph.root(), self.start(target));
         let asked = &self.rules.needs[root.index()].constants;
         let mut best: Option<Best> = None;
         let mut left = self.steps;
         for (table, chance) in tables(self.rules.graph, asked) {
             let start = memory.known.start(table);
-            let mut search = Search::new(&self.rules, memory, target, rigour, left);
+            let mut search = Search::new(&self.rules, memory, target, how, left);
             let cost = search.solve(root, start, &scope).map(|cost| cost.plus(Cost::of_chance(chance)));
             left = search.steps;
             best = match (best, cost) {
@@ -212,6 +230,7 @@ impl Memory {
             chart: Chart::default(),
             looks: Looks::default(),
             footprints: FxHashMap::default(),
+            written: FxHashMap::default(),
         }
     }
 }

@@ -96,6 +96,7 @@ impl Search<'_, '_> {
             footprint: layer.footprint.clone(),
             backdrop,
             rigour: self.rigour,
+            aim: self.aim,
             steps: self.steps,
             ring: self.ring,
             depth: self.depth,

@@ -6,6 +6,7 @@ use super::cost::Cost;
 use super::draw::Sight;
 use super::looks::Looks;
 use super::needs::Needs;
+use super::split::Written;
 use super::states::States;
 use super::surroundings::{Around, Known};
 use super::target::Target;
@@ -41,6 +42,8 @@ pub struct Memory {
     pub looks: Looks,
     /// Footprints as they lie in their scopes, by number from 1.
     pub footprints: FxHashMap<Footprint, u32>,
+    /// Splits as they are written, by what they see and the lengths of their scope.
+    pub written: FxHashMap<(NodeIndex, Around, [i32; 3]), Option<Rc<Written>>>,
 }
 
 /// More arguments of one call than this are not tried.
@@ -53,6 +56,14 @@ const MOST_DEPTH: u32 = 10_000;
 const RED_ZONE: usize = 128 << 10;
 const STACK: usize = 4 << 20;
 
+/// Which of several derivations is looked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Aim {
+    Cheapest,
+    /// The first one that is found, if it is exact.
+    Any,
+}
+
 pub struct Search<'a, 'g> {
     pub rules: &'a Rules<'g>,
     pub memory: &'a mut Memory,
@@ -61,6 +72,7 @@ pub struct Search<'a, 'g> {
     pub footprint: Option<Rc<Footprint>>,
     pub backdrop: Backdrop,
     pub rigour: Rigour,
+    pub aim: Aim,
     /// Steps that are left.
     pub steps: u64,
     /// The least depth of an open operation that was come back to.
@@ -73,7 +85,7 @@ impl<'a, 'g> Search<'a, 'g> {
         rules: &'a Rules<'g>,
         memory: &'a mut Memory,
         target: &'a Target<'a>,
-        rigour: Rigour,
+        (rigour, aim): (Rigour, Aim),
         steps: u64,
     ) -> Search<'a, 'g> {
         Search {
@@ -83,10 +95,16 @@ impl<'a, 'g> Search<'a, 'g> {
             footprint: None,
             backdrop: Backdrop::Air,
             rigour,
+            aim,
             steps,
             ring: u32::MAX,
             depth: 0,
         }
+    }
+
+    /// Whether the first derivation that is found will do.
+    pub fn takes_any(&self) -> bool {
+        (self.aim, self.rigour) == (Aim::Any, Rigour::Exact)
     }
 
     pub fn key(&mut self, node: NodeIndex, around: Around, scope: &Scope) -> Key {
@@ -294,15 +312,25 @@ impl<'a, 'g> Search<'a, 'g> {
             let choice = Choice::Arguments(texts);
             let found = self.only(node, called, scope, scope, choice);
             keep(&mut best, found.map(|found| dearer(found, Cost::of_chance(chance))));
+            if best.is_some() && self.takes_any() {
+                break;
+            }
         }
         best
     }
 
     fn choose(&mut self, node: NodeIndex, around: Around, scope: &Scope) -> Option<Found> {
         let mut best = None;
-        for Open { choice, child, chance } in self.open(node, around, scope)? {
+        let mut open = self.open(node, around, scope)?;
+        if self.takes_any() {
+            open.sort_by(|one, other| other.chance.total_cmp(&one.chance));
+        }
+        for Open { choice, child, chance } in open {
             let cost = self.solve(child, around, scope).map(|cost| cost.plus(Cost::of_chance(chance)));
             keep(&mut best, cost.map(|cost| one(cost, choice, Piece::of(child, around, scope, scope))));
+            if best.is_some() && self.takes_any() {
+                break;
+            }
         }
         best
     }

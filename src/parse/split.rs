@@ -1,18 +1,20 @@
 //! Splits and repeats: where their parts may end, and the cheapest of these ways.
 
 use super::Laws;
-use super::chart::{Choice, Found, Piece, Rigour};
+use super::chart::{Backdrop, Choice, Found, Piece, Rigour};
 use super::cost::Cost;
 use super::draw::Draw;
 use super::lengths::{Law, law};
 use super::search::{Search, keep};
 use super::surroundings::Around;
+use super::target::{Planes, Target};
 use super::widened::STRETCHED;
 use crate::graph::{Arg, Expr, Group, NodeIndex};
 use crate::run::written_out;
 use crate::space::{Axis, Length, Scope, fit, shares};
 use smallvec::SmallVec;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The parts of one split, which are few.
 type Few<T> = SmallVec<[T; 8]>;
@@ -27,6 +29,28 @@ pub struct Laid {
     pub number: u32,
 }
 
+/// What the parts of a split may measure in a scope of one size.
+#[derive(Debug)]
+pub struct Written {
+    laws: Few<Law>,
+    children: Few<NodeIndex>,
+    /// By part, the lengths in whole blocks, if it has no others.
+    whole: Few<Option<Vec<(i32, f64)>>>,
+    /// The lengths, if there is but one for each part.
+    certain: Option<Few<Length>>,
+}
+
+impl Written {
+    fn of(laws: Few<Law>, children: Few<NodeIndex>) -> Written {
+        let whole = laws.iter().map(Law::whole).collect();
+        let certain = laws.iter().map(Law::certain).collect();
+        Written { laws, children, whole, certain }
+    }
+}
+
+/// More splits and sizes of their scopes than these are not kept.
+const MOST_WRITTEN: usize = 1 << 18;
+
 /// A split or repeat and its scope.
 #[derive(Clone, Copy)]
 pub struct Row<'s> {
@@ -34,9 +58,22 @@ pub struct Row<'s> {
     pub around: Around,
     pub scope: &'s Scope,
     pub axis: Axis,
+    /// Where its parts may end; `None` is anywhere.
+    pub planes: Option<&'s Planes>,
 }
 
 impl Row<'_> {
+    /// Whether a part may lie there: what cuts a labelled box holds no derivation.
+    fn has_room_for(&self, part: &Laid) -> bool {
+        let is_clear = |at: i32| self.planes.is_none_or(|planes| planes.clear.contains(at as usize));
+        is_clear(part.low) && is_clear(part.high)
+    }
+
+    /// Whether a box begins or ends there.
+    pub fn is_face(&self, at: i32) -> bool {
+        self.planes.is_some_and(|planes| planes.faces.contains(at as usize))
+    }
+
     pub fn total(&self) -> i32 {
         self.scope.len(self.axis)
     }
@@ -57,7 +94,11 @@ impl Search<'_, '_> {
         axis: Axis,
         groups: &[Group],
     ) -> Option<Found> {
-        let row = Row { node, around, scope, axis };
+        let planes = self.planes(scope, axis);
+        if planes.as_ref().is_some_and(|planes| planes.clear.is_clear()) {
+            return None;
+        }
+        let row = Row { node, around, scope, axis, planes: planes.as_deref() };
         match self.rules.laws {
             Laws::AsWritten => self.as_written(row, groups),
             Laws::Widened => self.widened(row, groups),
@@ -69,13 +110,40 @@ impl Search<'_, '_> {
         }
     }
 
-    fn as_written(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Found> {
-        let (laws, children) = self.laws(row)?;
-        match laws.iter().map(Law::certain).collect::<Option<Few<Length>>>() {
-            Some(lengths) => self.fixed(row, &lengths, &children, groups, Cost::NONE),
-            None if groups.is_empty() => self.free(row, &laws, &children),
-            None => self.every_way(row, &laws, &children, groups),
+    /// Where parts of a scope may end, if not anywhere.
+    fn planes(&self, scope: &Scope, axis: Axis) -> Option<Rc<Planes>> {
+        match (self.target, self.rigour, self.backdrop) {
+            (Target::Boxes(boxes), Rigour::Exact, Backdrop::Air) => Some(boxes.planes(scope.bounds, axis)),
+            _ => None,
         }
+    }
+
+    fn as_written(&mut self, row: Row<'_>, groups: &[Group]) -> Option<Found> {
+        let Written { laws, children, whole, certain } = &*self.written(row)?;
+        match certain {
+            Some(lengths) => self.fixed(row, lengths, children, groups, Cost::NONE),
+            None if !groups.is_empty() => self.every_way(row, laws, children, groups),
+            None if self.takes_any()
+                && let Some(found) = self.first_way(row, laws, children, whole) =>
+            {
+                found
+            }
+            None => self.free(row, laws, children),
+        }
+    }
+
+    /// A split as it is written, for a scope of that size.
+    fn written(&mut self, row: Row<'_>) -> Option<Rc<Written>> {
+        let key = (row.node, row.around, Axis::ALL.map(|axis| row.scope.len(axis)));
+        if let Some(known) = self.memory.written.get(&key) {
+            return known.clone();
+        }
+        let written = self.laws(row).map(|(laws, children)| Rc::new(Written::of(laws, children)));
+        if self.memory.written.len() >= MOST_WRITTEN {
+            self.memory.written.clear();
+        }
+        self.memory.written.insert(key, written.clone());
+        written
     }
 
     /// What the parts of a split may measure, and their children.
@@ -122,6 +190,9 @@ impl Search<'_, '_> {
     pub fn row(&mut self, row: Row<'_>, laid: &[Laid], cost: Cost) -> Option<Found> {
         let count = laid.len() as u32;
         let there = || laid.iter().filter(|part| part.low < part.high);
+        if there().any(|part| !row.has_room_for(part)) {
+            return None;
+        }
         if self.rigour == Rigour::Exact {
             for part in there() {
                 let scope = row.scope.part(row.axis, part.low, part.high);
@@ -160,6 +231,9 @@ impl Search<'_, '_> {
         if part.low >= part.high {
             return Some(Cost::NONE);
         }
+        if !row.has_room_for(part) {
+            return None;
+        }
         let around = self.shared(row, part, count);
         self.solve(part.child, around, &row.scope.part(row.axis, part.low, part.high))
     }
@@ -186,6 +260,9 @@ impl Search<'_, '_> {
             let lengths: Vec<Length> = lengths.collect();
             let found = self.fixed(row, &lengths, children, groups, Cost::of_chance(chance));
             keep(&mut best, found);
+            if best.is_some() && self.takes_any() {
+                break;
+            }
         }
         best
     }
@@ -199,7 +276,8 @@ impl Search<'_, '_> {
         axis: Axis,
         size: &Expr,
     ) -> Option<Found> {
-        let row = Row { node, around, scope, axis };
+        let planes = self.planes(scope, axis);
+        let row = Row { node, around, scope, axis, planes: planes.as_deref() };
         let total = f64::from(row.total());
         let fits = |size: f64| (size > 0.0).then(|| (total / size - NOISE).ceil().max(1.0));
         let counts = match self.sight(around, scope).draw(size)? {
@@ -226,7 +304,8 @@ impl Search<'_, '_> {
         axis: Axis,
         count: &Expr,
     ) -> Option<Found> {
-        let row = Row { node, around, scope, axis };
+        let planes = self.planes(scope, axis);
+        let row = Row { node, around, scope, axis, planes: planes.as_deref() };
         let drawn = self.sight(around, scope).draw(count)?.numbers()?.into_iter();
         let counts = drawn.map(|(count, chance)| (count.round(), chance)).filter(|(count, _)| *count >= 0.0);
         self.so_often(row, counts.collect())
@@ -257,6 +336,9 @@ impl Search<'_, '_> {
         for (count, chance) in chances {
             let found = self.times(row, child, count, Cost::of_chance(chance));
             keep(&mut best, found);
+            if best.is_some() && self.takes_any() {
+                break;
+            }
         }
         best
     }

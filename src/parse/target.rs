@@ -4,8 +4,12 @@ use super::states::{KindId, States};
 use crate::block::PaletteFull;
 use crate::grid::{BoxHashes, Content, Grid, LabelledBoxes};
 use crate::neighbours::{settle, unsettle};
-use crate::space::{Axis, Bounds, Cell, Turn};
+use crate::space::{Axis, Bounds, Cell, Corners, Turn};
+use fixedbitset::FixedBitSet;
+use rstar::{RTree, RTreeObject};
 use rustc_hash::FxHashMap;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// A building to find a derivation of.
 #[derive(Debug)]
@@ -29,11 +33,11 @@ pub struct Blocks {
 #[derive(Debug)]
 pub struct Placed<'e> {
     labels: FxHashMap<Bounds, (&'e str, Turn)>,
-    /// By low end on x.
-    in_order: Vec<Bounds>,
-    /// The longest box on x.
-    widest: i32,
+    tree: RTree<Corners>,
     container: Bounds,
+    /// What was asked before: many operations ask the same.
+    planes: RefCell<FxHashMap<(Bounds, Axis), Rc<Planes>>>,
+    empty: RefCell<FxHashMap<Bounds, bool>>,
 }
 
 impl Blocks {
@@ -126,13 +130,12 @@ impl Blocks {
 
 impl<'e> Placed<'e> {
     pub fn of(boxes: &'e LabelledBoxes) -> Placed<'e> {
-        let mut in_order: Vec<Bounds> = boxes.boxes.iter().map(|labelled| labelled.bounds).collect();
-        in_order.sort_unstable_by_key(|bounds| bounds.min.x);
         Placed {
             labels: boxes.boxes.iter().map(|labelled| (labelled.bounds, labelled.turned())).collect(),
-            widest: in_order.iter().map(|bounds| bounds.len(Axis::X)).max().unwrap_or(0),
-            in_order,
+            tree: RTree::bulk_load(boxes.boxes.iter().map(|labelled| Corners(labelled.bounds)).collect()),
             container: boxes.container,
+            planes: RefCell::default(),
+            empty: RefCell::default(),
         }
     }
 
@@ -143,19 +146,53 @@ impl<'e> Placed<'e> {
 
     /// How many cells of a box the labelled boxes fill.
     pub fn volume(&self, bounds: Bounds) -> u64 {
-        self.in_order
-            .iter()
-            .map(|own| own.intersect(&bounds))
-            .filter(|own| !own.is_empty())
-            .map(|own| own.volume())
-            .sum()
+        let shared = self.within(bounds).map(|own| own.intersect(&bounds).volume());
+        shared.sum()
+    }
+
+    /// The boxes that share a cell with one.
+    fn within(&self, bounds: Bounds) -> impl Iterator<Item = Bounds> {
+        let near = self.tree.locate_in_envelope_intersecting(Corners(bounds).envelope());
+        near.map(|corners| corners.0).filter(move |own| !own.intersect(&bounds).is_empty())
     }
 
     fn is_empty(&self, bounds: Bounds) -> bool {
-        let first = self.in_order.partition_point(|other| other.min.x <= bounds.min.x - self.widest);
-        let near = self.in_order[first..].iter().take_while(|other| other.min.x < bounds.max.x);
-        near.into_iter().all(|other| other.intersect(&bounds).is_empty())
+        *self.empty.borrow_mut().entry(bounds).or_insert_with(|| self.within(bounds).next().is_none())
     }
+
+    /// The planes across an axis of a scope; where the scope cuts a box itself, none is clear.
+    pub fn planes(&self, scope: Bounds, axis: Axis) -> Rc<Planes> {
+        let mut known = self.planes.borrow_mut();
+        known.entry((scope, axis)).or_insert_with(|| Rc::new(self.find_planes(scope, axis))).clone()
+    }
+
+    fn find_planes(&self, scope: Bounds, axis: Axis) -> Planes {
+        let low = axis.of(scope.min);
+        let count = scope.len(axis).max(0) as usize + 1;
+        let mut planes =
+            Planes { clear: FixedBitSet::with_capacity(count), faces: FixedBitSet::with_capacity(count) };
+        planes.clear.insert_range(..);
+        for own in self.within(scope) {
+            if !scope.contains_box(&own) {
+                planes.clear.clear();
+                break;
+            }
+            let (from, to) = ((axis.of(own.min) - low) as usize, (axis.of(own.max) - low) as usize);
+            planes.clear.remove_range(from + 1..to);
+            planes.faces.insert(from);
+            planes.faces.insert(to);
+        }
+        planes
+    }
+}
+
+/// Planes across a scope, by their distance from its low end.
+#[derive(Debug)]
+pub struct Planes {
+    /// Those that cut no box.
+    pub clear: FixedBitSet,
+    /// Those where a box begins or ends.
+    pub faces: FixedBitSet,
 }
 
 impl Target<'_> {
@@ -166,13 +203,16 @@ impl Target<'_> {
         }
     }
 
-    /// What a box holds. Labelled boxes are told apart by their place.
+    /// What a box holds. Labelled boxes are told apart by their place, unless there are none.
     pub fn content(&self, bounds: Bounds) -> Content {
         match self {
             Target::Blocks(blocks) => blocks.hashes.content(bounds),
-            Target::Boxes(_) => {
+            Target::Boxes(boxes) => {
                 let pair = |a: i32, b: i32| u64::from(a as u32) << 32 | u64::from(b as u32);
                 let size = bounds.size().to_array().map(|length| length as u32);
+                if boxes.is_empty(bounds) {
+                    return Content { size, hash: [u64::MAX; 2] };
+                }
                 Content { size, hash: [pair(bounds.min.x, bounds.min.y), pair(bounds.min.z, 0)] }
             }
         }

@@ -3,6 +3,7 @@
 
 mod axis;
 mod bounds;
+mod corners;
 mod fit;
 mod footprint;
 mod frame;
@@ -13,6 +14,7 @@ mod view;
 
 pub use axis::Axis;
 pub use bounds::Bounds;
+pub use corners::Corners;
 pub use fit::{Length, Misfit, clip, fit, shares};
 pub use footprint::{Corner, Depths, Footprint, Wall, shape_h, shape_l, shape_o, shape_t, shape_u};
 pub use frame::{Frame, Up};

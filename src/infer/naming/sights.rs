@@ -10,6 +10,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Larger examples are not looked at: their rules are named after what they hold alone.
 const MOST_CELLS: u64 = 1 << 21;
 
+/// The same of examples of more labelled boxes.
+const MOST_BOXES: usize = 1 << 10;
+
 /// How a place lies along an axis of its example.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Along {
@@ -134,9 +137,11 @@ pub fn sights(graph: &OpGraph, labels: &Labels, examples: &[Example]) -> Vec<Sig
 fn derivation(parser: &Parser<'_>, example: &Example) -> Option<Derivation> {
     match example {
         // What no derivation explains takes long to find.
-        _ if !is_small(example) || !example.is_derived_by(parser) => None,
+        _ if !is_small(example) => None,
+        Example::Boxes(boxes) if boxes.boxes.len() > MOST_BOXES => None,
+        Example::Boxes(boxes) => parser.any_of_boxes(boxes),
+        Example::Blocks(_) if !example.is_derived_by(parser) => None,
         Example::Blocks(grid) => parser.parse(grid).ok(),
-        Example::Boxes(boxes) => parser.parse_boxes(boxes).ok(),
     }
 }
 

@@ -1,29 +1,15 @@
 use super::ShapeId;
-use crate::space::{Bounds, Cell};
+use crate::space::{Bounds, Corners};
 use rstar::primitives::GeomWithData;
-use rstar::{AABB, RTree, RTreeObject};
+use rstar::{RTree, RTreeObject};
 
 /// Boxes in space with the shapes they belong to.
-///
-/// Corners are real numbers: the tree multiplies lengths, and whole numbers would overflow there.
 #[derive(Default)]
 pub struct Index {
     tree: RTree<Entry>,
 }
 
 type Entry = GeomWithData<Corners, ShapeId>;
-
-#[derive(Clone, Copy, Debug)]
-struct Corners(Bounds);
-
-impl RTreeObject for Corners {
-    type Envelope = AABB<[f64; 3]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        let corner = |corner: Cell| corner.as_dvec3().to_array();
-        AABB::from_corners(corner(self.0.min), corner(self.0.max))
-    }
-}
 
 impl Index {
     /// Adds boxes. Many at once are packed together with those that are there: that is faster than to insert them one

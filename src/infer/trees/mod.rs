@@ -1,0 +1,107 @@
+//! The trees of labelled boxes joined: one rule for many places of the examples, by description length.
+//!
+//! ```text
+//! boxes --cuts--> Forest --padding--> Forest --explain--> Roles --merge--> Roles --emit--> OpGraph
+//! ```
+
+mod bounds;
+mod cuts;
+mod draw;
+mod emit;
+mod explain;
+mod fixed;
+mod forest;
+mod form;
+mod groups;
+mod hist;
+mod list;
+mod merge;
+mod padding;
+mod role;
+mod row;
+mod sketch;
+mod stack;
+
+use super::emit::{Primitives, sizes};
+use super::example::{Example, Terminal, Terminals};
+use super::{Learnt, Method, Notes};
+use crate::graph::Builder;
+use crate::space::{Bounds, Cell};
+
+/// The bits of a rule among few.
+const PRICE: f64 = 16.0;
+/// A rule has to be worth such a share of the whole description: of more examples nobody wants more rules.
+const SHARE: f64 = 1.0 / 400.0;
+
+/// The bits that a rule has to be worth where all that is known takes `bits`.
+fn priced(bits: f64) -> f64 {
+    PRICE + SHARE * bits
+}
+
+/// Learns one op graph from labelled boxes; `None` where some of them cannot be cut.
+pub fn joined(examples: &[Example]) -> Option<Learnt> {
+    let mut terminals = Terminals::default();
+    let all: Vec<(Bounds, Vec<(Bounds, u32)>)> =
+        examples.iter().map(|example| (example.bounds(), example.boxes(&mut terminals, &[]))).collect();
+    let forest = cuts::shortest(&all)?;
+    let (plain, root) = explain::explain(&forest, PRICE);
+    let (mut roles, root) = explain::explain(&forest, priced(plain.bits(root)));
+    merge::merge(&mut roles, &forest, root);
+    let least = examples.iter().map(|example| example.bounds().size()).reduce(Cell::min)?;
+    let mut primitives = Primitives::default();
+    let mut builder = Builder::default();
+    let mut leaf = |builder: &mut Builder, label: u32| match &terminals.list[label as usize] {
+        Terminal::Label(label) => primitives.labelled(builder, label),
+        Terminal::Block(_) => builder.nil(),
+    };
+    let node = emit::emit((&roles, &forest), root, least, &mut builder, &mut leaf);
+    let (mut graph, _) = builder.finish(node);
+    graph.sizes = sizes(examples);
+    let labels = primitives.place_in(&mut graph);
+    Some(Learnt { graph, labels, by: Method::Joint, notes: Notes::default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{OpGraph, raise};
+    use crate::grid::{LabelledBox, LabelledBoxes};
+    use crate::infer::derived;
+    use crate::run::{Library, Options, run};
+
+    /// Rows of towers of these heights, three blocks wide; rows are two apart.
+    fn town(rows: &[&[i32]]) -> Example {
+        let tower = |row: usize, at: usize, height: i32| {
+            let low = Cell::new(3 * at as i32, 0, 5 * row as i32);
+            let bounds = Bounds::new(low, low + Cell::new(3, height, 3));
+            LabelledBox { label: "rect".to_owned(), bounds }
+        };
+        let towers = rows.iter().enumerate();
+        let towers = towers.flat_map(|(row, heights)| {
+            heights.iter().enumerate().map(move |(at, height)| tower(row, at, *height))
+        });
+        Example::Boxes(LabelledBoxes::new(towers.collect()).unwrap())
+    }
+
+    fn towns() -> Vec<Example> {
+        let one: [&[i32]; 3] = [&[4, 9, 6, 5], &[8, 3, 7], &[5, 4, 9, 6, 7]];
+        let two: [&[i32]; 4] = [&[7, 6, 3], &[9, 5, 5, 8, 4], &[6, 8, 3, 4], &[3, 7, 9]];
+        let three: [&[i32]; 2] = [&[5, 5, 8, 7], &[4, 6, 9, 3, 8]];
+        vec![town(&one), town(&two), town(&three)]
+    }
+
+    fn runs(graph: &OpGraph, seed: u64) -> bool {
+        run(graph, &Library::new(), &Options { seed, ..Options::default() }).is_ok()
+    }
+
+    #[test]
+    fn rows_of_any_number_are_one_rule() {
+        let examples = towns();
+        let learnt = joined(&examples).unwrap();
+        let text = raise(&learnt.graph).to_string();
+        assert!(raise(&learnt.graph).rules.len() <= 8, "{text}");
+        assert_eq!(derived(&examples, &learnt.graph, &learnt.labels, 1 << 16), [true; 3], "{text}");
+        assert!((0..200).all(|seed| runs(&learnt.graph, seed)), "{text}");
+        assert_eq!(raise(&joined(&towns()).unwrap().graph).to_string(), text);
+    }
+}
