@@ -317,7 +317,7 @@ mod tests {
     fn what_is_drawn_leaves_room_for_the_rest() {
         let porch = [Stretch::Bends, Stretch::Alike];
         let laws = laws_of(&[&[3, 4], &[8, 4], &[7, 2], &[10, 2]], &porch);
-        assert_eq!(laws, [Law::Float(1), Law::Range { low: 2, high: 4, step: 2 }]);
+        assert_eq!(laws, [Law::Float(1), Law::Range { low: 2, high: 4, step: 1 }]);
     }
 
     #[test]

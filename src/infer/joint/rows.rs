@@ -239,7 +239,7 @@ mod tests {
         assert_eq!(row.next, [BTreeSet::from([0, 1]), BTreeSet::from([0])]);
         assert_eq!((row.first.len(), row.last.len()), (2, 1));
         assert!(!row.is_free());
-        assert_eq!(row.states().len(), 3);
+        assert_eq!(row.states().len(), 2);
     }
 
     #[test]

@@ -139,12 +139,13 @@ fn name_params(graph: &mut OpGraph) {
     }
 }
 
-/// `margin` for what is left on either side, else the length along the axis.
+/// `margin` for what is left on either side, the length along the axis for the size of a part, else a material.
 fn param_name(graph: &OpGraph, target: NodeIndex, param: usize) -> String {
     let uses = |arg: &Arg| matches!(arg, Arg::Size(size) if size.value == Expr::Param(param));
     let parts: Vec<bool> = graph.children(target).map(|(arg, _)| uses(arg)).collect();
     let word = match (graph.op(target), parts.as_slice()) {
         (_, [true, .., true]) => "margin",
+        (_, parts) if !parts.contains(&true) => "material",
         (Op::Split { axis: Expr::Axis(Axis::X), .. }, _) => "width",
         (Op::Split { axis: Expr::Axis(Axis::Y), .. }, _) => "height",
         (Op::Split { axis: Expr::Axis(Axis::Z), .. }, _) => "depth",
