@@ -29,6 +29,8 @@ pub struct Explainer<'c> {
     kept: FxHashSet<Boxes>,
     /// Boxes that are told apart before anything else is tried, and by which choice, from the best estimate on.
     first: Option<(Boxes, usize)>,
+    /// How much all searches together may look at.
+    most_asked: u64,
 }
 
 /// How many steps to look ahead: where it is none, what is estimated best is taken; else the steps that are
@@ -50,6 +52,9 @@ const SHARED: f64 = 40.0;
 
 /// Boxes that are looked at before the search is cut short: a few seconds of work.
 const MOST_ASKED: u64 = 6_000_000;
+/// The same for each example, where there are many; and whatever there are.
+const MOST_ASKED_EACH: u64 = 1_600_000;
+const MOST_ASKED_EVER: u64 = 32_000_000;
 /// Looking one step ahead, with repairs and pooling, takes at least so many times as much as taking what is estimated best.
 const AHEAD_TAKES: u64 = 3;
 
@@ -73,8 +78,10 @@ impl<'c> Explainer<'c> {
     /// Begins a search. What was found out of the boxes before, by other searches, is known.
     pub fn new(corpus: &'c mut Corpus, estimates: &'c mut Estimates) -> Explainer<'c> {
         let (plan, memo, recolourings, kept) = Default::default();
-        corpus.begin(MOST_ASKED / AHEAD_TAKES);
-        Explainer { corpus, plan, estimates, memo, recolourings, kept, first: None }
+        let of_all = MOST_ASKED_EACH * corpus.examples().len() as u64;
+        let most_asked = of_all.clamp(MOST_ASKED, MOST_ASKED_EVER);
+        corpus.begin(most_asked / AHEAD_TAKES);
+        Explainer { corpus, plan, estimates, memo, recolourings, kept, first: None, most_asked }
     }
 
     /// Whether a node is a choice in which most boxes share nothing with any other.
@@ -99,7 +106,7 @@ impl<'c> Explainer<'c> {
 
     /// From now on there is enough left to look ahead, but for what was `used` by other searches.
     pub fn look_ahead(&mut self, used: u64) {
-        self.corpus.most_asked = MOST_ASKED.saturating_sub(used);
+        self.corpus.most_asked = self.most_asked.saturating_sub(used);
     }
 
     /// Tells boxes apart before anything else is tried, by the choice of that number from the best estimate on; whether

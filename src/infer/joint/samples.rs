@@ -11,8 +11,9 @@ use crate::space::{Bounds, Cell};
 use ndarray::Array3;
 use rustc_hash::FxHashSet;
 
-/// So many samples are looked at.
-const SAMPLES: u64 = 64;
+/// So many samples are looked at where much is tried, and so many of what is kept: some of what goes wrong is rare.
+pub const FEW: u64 = 64;
+pub const MANY: u64 = 160;
 /// So many faulty samples are enough to go on with.
 const ENOUGH: usize = 8;
 /// So many neighbourhoods are told of in all; more of them would mostly have the same causes.
@@ -62,7 +63,7 @@ impl Shown {
         let mut own = self.terminals.clone();
         let mut told = FxHashSet::default();
         let mut faults = Vec::new();
-        for seed in 0..SAMPLES {
+        for seed in 0..MANY {
             if faults.len() == ENOUGH {
                 break;
             }
@@ -78,10 +79,10 @@ impl Shown {
         faults
     }
 
-    /// Whether nothing goes wrong in samples.
-    pub fn is_like(&self, graph: &OpGraph) -> bool {
+    /// Whether nothing goes wrong in so many samples.
+    pub fn is_like(&self, graph: &OpGraph, samples: u64) -> bool {
         let mut own = self.terminals.clone();
-        (0..SAMPLES).all(|seed| {
+        (0..samples).all(|seed| {
             let made = run(graph, &Library::new(), &Options { seed, ..Options::default() });
             let windows = made.map(|made| around(&Example::Blocks(made.made), &mut own));
             windows.is_ok_and(|windows| windows.iter().all(|(_, window)| self.windows.contains(window)))
@@ -90,7 +91,7 @@ impl Shown {
 
     /// Whether samples show more than the examples again.
     pub fn is_exceeded(&self, graph: &OpGraph) -> bool {
-        (0..SAMPLES).any(|seed| {
+        (0..FEW).any(|seed| {
             let made = run(graph, &Library::new(), &Options { seed, ..Options::default() });
             made.is_ok_and(|made| !self.examples.iter().any(|example| example.same_blocks(&made.made)))
         })

@@ -11,9 +11,8 @@ use super::limits::Limits;
 use super::narrow::{self, Blamed};
 use super::plan::{self, NodeId};
 use super::pool;
-use super::samples::Shown;
+use super::samples::{FEW, MANY, Shown};
 use super::starts::Sizes;
-use crate::graph::OpGraph;
 use crate::infer::example::{Example, Terminals};
 use crate::infer::{Freedom, Learnt};
 
@@ -176,18 +175,23 @@ impl Task<'_> {
         (root, boxes): (NodeId, &Boxes),
         limits: &Limits,
     ) -> (Learnt, f64) {
-        let is_like = |graph: &OpGraph| self.freedom == Freedom::Free || self.shown.is_like(graph);
+        let is_like = |learnt: &Learnt, samples: u64| {
+            self.freedom == Freedom::Free || self.shown.is_like(&learnt.graph, samples)
+        };
         let learnt = |explainer: &mut Explainer<'_>, root, sizes| {
             self.emitted(explainer, terminals, (root, boxes), sizes, limits).learnt
         };
-        let holds =
-            |explainer: &mut Explainer<'_>, root| is_like(&learnt(explainer, root, Sizes::Seen).graph);
-        let root = pool::pooled(explainer, root, boxes, Search(AHEAD), holds);
-        let of_any_size = learnt(explainer, root, Sizes::Between);
-        let learnt = match is_like(&of_any_size.graph) {
-            true => of_any_size,
-            false => learnt(explainer, root, Sizes::Seen),
-        };
+        let holds = |explainer: &mut Explainer<'_>, root| is_like(&learnt(explainer, root, Sizes::Seen), FEW);
+        let one = pool::pooled(explainer, root, boxes, Search(AHEAD), holds);
+        let mut best = (root, learnt(explainer, root, Sizes::Seen));
+        for sizes in [Sizes::Between, Sizes::Seen] {
+            let pooled = learnt(explainer, one, sizes);
+            if is_like(&pooled, MANY) {
+                best = (one, pooled);
+                break;
+            }
+        }
+        let (root, learnt) = best;
         (learnt, plan::bits(&explainer.plan, explainer.corpus, root, boxes))
     }
 }
