@@ -49,7 +49,7 @@ pub struct Args {
     /// Blocks per unit of the coordinates of OBJ files and layouts
     #[arg(long, value_name = "NUMBER", value_parser = input::scale)]
     scale: Option<Scale>,
-    /// How examples of blocks become rules; labelled boxes are always learnt by `boxes`
+    /// How examples become rules
     #[arg(long, value_enum, default_value_t)]
     method: Method,
     /// What examples that are learnt by `boxes` are split into; `shapes` are always learnt so

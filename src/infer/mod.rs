@@ -5,6 +5,8 @@
 //!   \--weave--> further Grids                                                      |
 //!   \--exchanges--> planes where examples can be exchanged ------------------------/
 //! ```
+//!
+//! That is how examples are learnt one by one. `joint` explains all at once, `trees` joins those of labelled boxes.
 
 pub mod boxes;
 mod combine;
@@ -27,7 +29,7 @@ mod variety;
 mod weave;
 
 use crate::grammar::Grammar;
-use crate::graph::{OpGraph, raise};
+use crate::graph::OpGraph;
 use crate::grid::Grid;
 use combine::{Chance, Slab};
 use exchange::Exchange;
@@ -91,8 +93,9 @@ impl Learnt {
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Method {
     /// One operation explains all the boxes that a rule stands for, across all examples; the shortest
-    /// description wins. Labelled boxes, a single building, and buildings that share too little or are too large for
-    /// the search are learnt by [`Method::Boxes`].
+    /// description wins. A single building, and buildings that share too little or are too large for
+    /// the search, are learnt by [`Method::Boxes`]; so are labelled boxes, which are then joined role by role where that
+    /// makes many rules few.
     #[default]
     Joint,
     /// The method of seed 1 (chapters 9 and 10): split each example into its terminals, then make one operation
@@ -142,31 +145,10 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
         Method::Joint | Method::Boxes | Method::Shapes => by_boxes(&open, freedom, Mixing::Woven, method),
     };
     let learnt = match (method, first) {
-        (Method::Joint, Example::Boxes(_)) => learnt.map(|apart| shorter(apart, &open)),
+        (Method::Joint, Example::Boxes(_)) => learnt.map(|apart| trees::shorter(apart, &open)),
         _ => learnt,
     };
     Ok(naming::name(learnt?, examples))
-}
-
-/// So few rules can be read as they are: they stay as exact as they are.
-const FEW_RULES: usize = 64;
-
-/// The steps of a proof of one example, about a second: what takes longer to prove is left.
-const MOST_PROVED: u64 = 1 << 18;
-
-/// What labelled boxes have in common, if that takes fewer rules than to learn each by itself and a parser proves it.
-/// Lists forget in which order their units come, which few rules need not.
-fn shorter(apart: Learnt, examples: &[Example]) -> Learnt {
-    let count = |learnt: &Learnt| raise(&learnt.graph).rules.len();
-    let apart_count = count(&apart);
-    if examples.len() < 2 || apart_count <= FEW_RULES {
-        return apart;
-    }
-    let joined = trees::joined(examples).filter(|joined| count(joined) < apart_count);
-    let is_proved = |joined: &Learnt| {
-        derived(examples, &joined.graph, &joined.labels, MOST_PROVED).into_iter().all(|is| is)
-    };
-    joined.filter(is_proved).unwrap_or(apart)
 }
 
 /// How examples that are learnt one by one are mixed.

@@ -24,8 +24,8 @@ mod stack;
 
 use super::emit::{Primitives, sizes};
 use super::example::{Example, Terminal, Terminals};
-use super::{Learnt, Method, Notes};
-use crate::graph::Builder;
+use super::{Learnt, Method, Notes, derived};
+use crate::graph::{Builder, raise};
 use crate::space::{Bounds, Cell};
 
 /// The bits of a rule among few.
@@ -38,8 +38,29 @@ fn priced(bits: f64) -> f64 {
     PRICE + SHARE * bits
 }
 
+/// So few rules can be read as they are: they stay as exact as they are.
+const FEW_RULES: usize = 64;
+
+/// The steps of a proof of one example, about a second: what takes longer to prove is left.
+const MOST_PROVED: u64 = 1 << 18;
+
+/// What labelled boxes have in common, if that takes fewer rules than to learn each by itself and a parser proves it.
+/// Lists forget in which order their units come, which few rules need not.
+pub fn shorter(apart: Learnt, examples: &[Example]) -> Learnt {
+    let count = |learnt: &Learnt| raise(&learnt.graph).rules.len();
+    let apart_count = count(&apart);
+    if examples.len() < 2 || apart_count <= FEW_RULES {
+        return apart;
+    }
+    let joined = joined(examples).filter(|joined| count(joined) < apart_count);
+    let is_proved = |joined: &Learnt| {
+        derived(examples, &joined.graph, &joined.labels, MOST_PROVED).into_iter().all(|is| is)
+    };
+    joined.filter(is_proved).unwrap_or(apart)
+}
+
 /// Learns one op graph from labelled boxes; `None` where some of them cannot be cut.
-pub fn joined(examples: &[Example]) -> Option<Learnt> {
+fn joined(examples: &[Example]) -> Option<Learnt> {
     let mut terminals = Terminals::default();
     let all: Vec<(Bounds, Vec<(Bounds, u32)>)> =
         examples.iter().map(|example| (example.bounds(), example.boxes(&mut terminals, &[]))).collect();
