@@ -104,9 +104,9 @@ fn what_no_example_has_in_one_place_is_not_made_there() {
 #[test]
 fn a_city_is_learnt_back_as_far_as_its_examples_show() {
     let truth = truth("city").graph();
-    let grids = examples(&truth, 10);
+    let grids = examples(&truth, 20);
     let found = agreement(&learnt(&grids, Freedom::Seen).graph, &truth, &Library::new(), &grids, 1000, 40);
-    assert!(found.precision >= 0.95 && found.recall >= 0.6, "{found:?}");
+    assert!(found.precision >= 0.95 && found.recall >= 0.7, "{found:?}");
     assert!(found.rules <= 2 * found.true_rules, "{found:?}");
 }
 
