@@ -139,6 +139,10 @@ impl Expr {
         Expr::Thing(Thing::Name(name.into()))
     }
 
+    pub fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
+        Expr::Binary(op, Box::new(left), Box::new(right))
+    }
+
     /// `randint(low, high)`, or the number itself where both are the same.
     pub fn between(low: i32, high: i32) -> Expr {
         let bound = |bound: i32| Expr::number(f64::from(bound));

@@ -3,7 +3,7 @@
 
 use super::fold::{Folded, Piece, fold};
 use super::law::{Law, Lengths, Stretch, certain, ranges};
-use super::tree::{Node, NodeId, Tree};
+use super::tree::{Node, Tree};
 use crate::space::{Axis, Bounds};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
@@ -292,22 +292,9 @@ impl Forest {
         forest
     }
 
-    /// Adds the nodes of a tree, walked parents first and added children first.
+    /// Adds the nodes of a tree, children first.
     fn plant_tree(&mut self, tree: &Tree, bounds: Bounds) -> usize {
-        let mut order: Vec<(NodeId, Bounds, usize)> = vec![(tree.root(), bounds, 0)];
-        let mut at = 0;
-        while at < order.len() {
-            let (id, bounds, _) = order[at];
-            order[at].2 = order.len();
-            if let Node::Split { axis, parts } = tree.node(id) {
-                let mut low = axis.of(bounds.min);
-                for part in parts {
-                    order.push((part.child, bounds.slab(axis, low, low + part.len), 0));
-                    low += part.len;
-                }
-            }
-            at += 1;
-        }
+        let order = tree.in_levels(bounds);
         let (first, count) = (self.nodes.len(), order.len());
         let number = |at: usize| first + count - 1 - at;
         for (id, bounds, children) in order.into_iter().rev() {

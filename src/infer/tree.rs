@@ -60,6 +60,22 @@ impl Tree {
         })
     }
 
+    /// Every node with its box where the tree fills `root`, parents first, and where its children begin in this order: they
+    /// stand together, from low to high.
+    pub fn in_levels(&self, root: Bounds) -> Vec<(NodeId, Bounds, usize)> {
+        let mut order = vec![(self.root, root, 0)];
+        let mut at = 0;
+        while at < order.len() {
+            let (id, bounds, _) = order[at];
+            order[at].2 = order.len();
+            if let Node::Split { axis, parts } = self.node(id) {
+                order.extend(places(bounds, axis, parts).map(|(place, child)| (child, place, 0)));
+            }
+            at += 1;
+        }
+        order
+    }
+
     /// The labelled boxes where the tree fills `root`, parts from low to high.
     pub fn leaves(&self, root: Bounds) -> impl Iterator<Item = (Bounds, u32)> {
         self.nodes(root).filter_map(|(bounds, node)| match node {

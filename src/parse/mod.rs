@@ -16,6 +16,7 @@ mod needs;
 mod overlay;
 mod search;
 mod split;
+mod stack;
 mod start;
 mod states;
 mod surroundings;
@@ -42,6 +43,7 @@ use target::{Blocks, Placed, Target};
 pub use chart::Choice;
 pub use coverage::{Reason, Unexplained};
 pub use derivation::{Derivation, Step};
+pub use stack::stacked;
 
 /// Which lengths a part may have.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -7,6 +7,7 @@ use super::draw::Sight;
 use super::looks::Looks;
 use super::needs::Needs;
 use super::split::Written;
+use super::stack::stacked;
 use super::states::States;
 use super::surroundings::{Around, Known};
 use super::target::Target;
@@ -51,10 +52,6 @@ const MOST_CALLS: usize = 1 << 12;
 
 /// Operations in a chain: as many as a run may have.
 const MOST_DEPTH: u32 = 10_000;
-
-/// Stack that is left when more is taken, and how much more.
-const RED_ZONE: usize = 128 << 10;
-const STACK: usize = 4 << 20;
 
 /// Which of several derivations is looked for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -186,7 +183,7 @@ impl<'a, 'g> Search<'a, 'g> {
         self.depth += 1;
         self.memory.chart.set(key, Entry::Open(self.depth));
         let outer = std::mem::replace(&mut self.ring, u32::MAX);
-        let found = stacker::maybe_grow(RED_ZONE, STACK, || self.expand(node, around, scope));
+        let found = stacked(|| self.expand(node, around, scope));
         let found = self.or_given_up(found, scope).map(Arc::new);
         let cost = found.as_ref().map(|found| found.cost);
         self.enter(key, found);

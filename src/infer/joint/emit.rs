@@ -171,9 +171,10 @@ impl Emitter<'_> {
                 .split(Expr::Axis(Axis::Y), vec![(absolute(cap), ends), (Size::floating(1.0), nil)]);
         }
         let when = |op, by| {
-            let of =
-                |(axis, most): (Axis, i32)| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(most)));
-            slope.ends().map(of).reduce(|left, right| binary(by, left, right))
+            let of = |(axis, most): (Axis, i32)| {
+                Expr::binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(most)))
+            };
+            slope.ends().map(of).reduce(|left, right| Expr::binary(by, left, right))
         };
         let alternative =
             |condition| Arg::Alternative(Alternative { condition, ..Alternative::plain(Expr::number(1.0)) });
@@ -216,7 +217,7 @@ impl Emitter<'_> {
             let all = alternatives.iter().map(|(_, boxes)| boxes);
             bounds(axis, &seen, feasible.and(self.limits.lengths(self.corpus, group, all, axis)))
         });
-        axes.reduce(|left, right| binary(BinaryOp::And, left, right))
+        axes.reduce(|left, right| Expr::binary(BinaryOp::And, left, right))
     }
 
     /// A node as it stands within another: with what that one knows of for its parameters.
@@ -298,15 +299,11 @@ impl Emitter<'_> {
     }
 }
 
-fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
-    Expr::Binary(op, Box::new(left), Box::new(right))
-}
-
 /// What a length has to be, of those seen, to be one that can be filled; nothing if all can.
 fn bounds(axis: Axis, seen: &BTreeSet<i32>, feasible: Lengths) -> Option<Expr> {
     let (low, high) = (*seen.first()?, *seen.last()?);
     let fits: Vec<i32> = (low..=high).filter(|len| feasible.contains(*len)).collect();
-    let is = |op, len: i32| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(len)));
+    let is = |op, len: i32| Expr::binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(len)));
     let (Some(first), Some(last)) = (fits.first(), fits.last()) else { return None };
     let is_dense = fits.len() as i32 == last - first + 1;
     match (is_dense, *first == low, *last == high) {
@@ -316,7 +313,7 @@ fn bounds(axis: Axis, seen: &BTreeSet<i32>, feasible: Lengths) -> Option<Expr> {
         _ if seen.iter().all(|len| feasible.contains(*len)) => None,
         _ => {
             let own = fits.iter().filter(|len| seen.contains(len)).map(|len| is(BinaryOp::Equal, *len));
-            own.reduce(|left, right| binary(BinaryOp::Or, left, right))
+            own.reduce(|left, right| Expr::binary(BinaryOp::Or, left, right))
         }
     }
 }
@@ -325,11 +322,17 @@ fn bounds(axis: Axis, seen: &BTreeSet<i32>, feasible: Lengths) -> Option<Expr> {
 fn fills(axis: Axis, lengths: Lengths) -> Option<Option<Expr>> {
     let low = lengths.iter().next()?;
     let high = lengths.iter().last()?;
-    let is = |op, len: i32| binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(len)));
+    let is = |op, len: i32| Expr::binary(op, Expr::ScopeSize(axis), Expr::number(f64::from(len)));
     let above = (low > 1).then(|| is(BinaryOp::Greater, low - 1));
     let below = (high < Lengths::LONGEST).then(|| is(BinaryOp::LessEqual, high));
     let holes = (low..=high).filter(|len| !lengths.contains(*len)).map(|len| is(BinaryOp::NotEqual, len));
-    Some(above.into_iter().chain(below).chain(holes).reduce(|left, right| binary(BinaryOp::And, left, right)))
+    Some(
+        above
+            .into_iter()
+            .chain(below)
+            .chain(holes)
+            .reduce(|left, right| Expr::binary(BinaryOp::And, left, right)),
+    )
 }
 
 fn same_as(law: &Law) -> Option<usize> {
@@ -358,8 +361,8 @@ pub fn value(law: &Law) -> Expr {
         Law::Range { low, high, step: 1 } => Expr::between(*low, *high),
         Law::Range { low, high, step } => {
             let steps = Expr::between(0, (high - low) / step);
-            let more = Expr::Binary(BinaryOp::Multiply, Box::new(number(*step)), Box::new(steps));
-            Expr::Binary(BinaryOp::Add, Box::new(number(*low)), Box::new(more))
+            let more = Expr::binary(BinaryOp::Multiply, number(*step), steps);
+            Expr::binary(BinaryOp::Add, number(*low), more)
         }
         Law::Table(entries) => {
             Expr::Pick(entries.iter().map(|(len, count)| (number(*count as i32), number(*len))).collect())

@@ -13,7 +13,7 @@ mod corpus;
 mod dependence;
 mod derivation;
 pub mod emit;
-mod estimate;
+pub mod estimate;
 mod explain;
 mod feasible;
 mod fold;

@@ -287,13 +287,8 @@ impl Seen {
 /// A node with another child in one place.
 fn with_child(plan: &mut Plan, id: NodeId, number: usize, new: NodeId) -> NodeId {
     let plan::Node { mut form, how } = plan.node(id).clone();
-    match &mut form {
-        Form::Fill(_) => {}
-        Form::Split { parts, .. } => parts[number].1 = new,
-        Form::Choose(children) => children[number] = new,
-        Form::Row { cells, .. } => cells[number] = new,
-        Form::Slope { course, end, .. } => *(if number == 0 { course } else { end }) = new,
-        Form::Repeat { child, .. } | Form::Call { child, .. } => *child = new,
+    if let Some(child) = form.children_mut().into_iter().nth(number) {
+        *child = new;
     }
     plan.add(form, how)
 }

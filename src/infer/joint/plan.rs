@@ -50,6 +50,30 @@ pub enum Form {
     },
 }
 
+impl Form {
+    /// The nodes that it leads to, in order.
+    fn children(&self) -> Vec<NodeId> {
+        match self {
+            Form::Fill(_) => Vec::new(),
+            Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
+            Form::Repeat { child, .. } | Form::Call { child, .. } => vec![*child],
+            Form::Slope { course, end, .. } => vec![*course, *end],
+            Form::Row { cells: children, .. } | Form::Choose(children) => children.clone(),
+        }
+    }
+
+    /// The same nodes, to be replaced.
+    pub fn children_mut(&mut self) -> Vec<&mut NodeId> {
+        match self {
+            Form::Fill(_) => Vec::new(),
+            Form::Split { parts, .. } => parts.iter_mut().map(|(_, child)| child).collect(),
+            Form::Repeat { child, .. } | Form::Call { child, .. } => vec![child],
+            Form::Slope { course, end, .. } => vec![course, end],
+            Form::Row { cells: children, .. } | Form::Choose(children) => children.iter_mut().collect(),
+        }
+    }
+}
+
 /// How a node describes the boxes of one class.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum How {
@@ -113,13 +137,7 @@ impl Plan {
     }
 
     pub fn children(&self, id: NodeId) -> Vec<NodeId> {
-        match &self.node(id).form {
-            Form::Fill(_) => Vec::new(),
-            Form::Split { parts, .. } => parts.iter().map(|(_, child)| *child).collect(),
-            Form::Repeat { child, .. } | Form::Call { child, .. } => vec![*child],
-            Form::Slope { course, end, .. } => vec![*course, *end],
-            Form::Row { cells: children, .. } | Form::Choose(children) => children.clone(),
-        }
+        self.node(id).form.children()
     }
 
     /// What `root` reaches, each once, children first.

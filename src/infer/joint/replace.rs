@@ -20,26 +20,12 @@ fn rebuilt(plan: &mut Plan, id: NodeId, now: &FxHashMap<NodeId, NodeId>) -> Node
     if plan.children(id).iter().all(|child| now[child] == *child) {
         return id;
     }
-    let Node { form, how } = plan.node(id).clone();
-    match form {
-        Form::Fill(_) => id,
-        Form::Split { axis, parts } => {
-            let parts = parts.into_iter().map(|(law, child)| (law, now[&child])).collect();
-            plan.add(Form::Split { axis, parts }, how)
-        }
-        Form::Repeat { axis, unit, child } => plan.add(Form::Repeat { axis, unit, child: now[&child] }, how),
-        Form::Row { row, cells } => {
-            let cells = cells.iter().map(|cell| now[cell]).collect();
-            plan.add(Form::Row { row, cells }, how)
-        }
-        Form::Slope { slope, course, end } => {
-            plan.add(Form::Slope { slope, course: now[&course], end: now[&end] }, how)
-        }
-        Form::Call { parameters, arguments, child } => {
-            plan.add(Form::Call { parameters, arguments, child: now[&child] }, how)
-        }
-        Form::Choose(children) => plan.choose(chosen(&children, how, now)),
+    let Node { mut form, how } = plan.node(id).clone();
+    if let Form::Choose(children) = &form {
+        return plan.choose(chosen(children, how, now));
     }
+    form.children_mut().into_iter().for_each(|child| *child = now[child]);
+    plan.add(form, how)
 }
 
 /// What stands now for each class that a choice tells apart, in the order of classes.

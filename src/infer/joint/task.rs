@@ -183,15 +183,11 @@ impl Task<'_> {
         };
         let holds = |explainer: &mut Explainer<'_>, root| is_like(&learnt(explainer, root, Sizes::Seen), FEW);
         let one = pool::pooled(explainer, root, boxes, Search(AHEAD), holds);
-        let mut best = (root, learnt(explainer, root, Sizes::Seen));
-        for sizes in [Sizes::Between, Sizes::Seen] {
-            let pooled = learnt(explainer, one, sizes);
-            if is_like(&pooled, MANY) {
-                best = (one, pooled);
-                break;
-            }
-        }
-        let (root, learnt) = best;
+        let mut of_one = [Sizes::Between, Sizes::Seen].into_iter().map(|sizes| learnt(explainer, one, sizes));
+        let (root, learnt) = match of_one.find(|learnt| is_like(learnt, MANY)) {
+            Some(pooled) => (one, pooled),
+            None => (root, learnt(explainer, root, Sizes::Seen)),
+        };
         (learnt, plan::bits(&explainer.plan, explainer.corpus, root, boxes))
     }
 }

@@ -65,20 +65,15 @@ pub fn fits_all(roles: &Roles, forest: &Forest, role: &Role, least: Cell) -> Opt
 fn need(roles: &Roles, forest: &Forest, key: &Key, form: &Form) -> Option<(Axis, i32)> {
     match key {
         Key::Fixed { axis, slots } => {
-            let parts = |row: &Row| -> Vec<i32> {
-                std::iter::once(row.lead)
-                    .chain(row.units.iter().flat_map(|unit| [unit.len, unit.gap]))
-                    .collect()
-            };
             let rows = roles.rows(forest, form, *axis);
             let shortest = rows
                 .iter()
-                .map(parts)
+                .map(Row::lengths)
                 .reduce(|one, other| one.iter().zip(&other).map(|(one, other)| *one.min(other)).collect());
             let is_leaf = |slot: &Slot| matches!(slot.kind, Kind::Leaf(_));
             // What looks alike at any length needs no more than a cell.
             let shortest = shortest.unwrap_or_default();
-            let varies = |at: usize| rows.iter().any(|row| parts(row)[at] != shortest[at]);
+            let varies = |at: usize| rows.iter().any(|row| row.lengths()[at] != shortest[at]);
             let needed = shortest.iter().enumerate().map(|(at, len)| match at % 2 {
                 1 if is_leaf(&slots[at / 2]) && varies(at) => 1,
                 0 if varies(at) => 0,

@@ -4,10 +4,9 @@ use super::explain::explain;
 use super::forest::Forest;
 use super::form::Key;
 use super::groups::grouped;
-use super::merge::merge;
 use super::padding::padded_inwards;
 use super::role::RoleId;
-use super::{PRICE, priced};
+use super::{PRICE, merged};
 use crate::infer::boxes::{PLAN_FIRST, Succession, Turns, UPRIGHT_FIRST, split_boxes_by};
 use crate::infer::tree::Tree;
 use crate::space::Axis::{X, Y, Z};
@@ -46,10 +45,9 @@ pub fn shortest(all: &[Boxed]) -> Option<Forest> {
     let cuts = ALL.iter().filter_map(|cuts| {
         let forest = planted(few.iter().copied(), *cuts)?;
         let (roles, root) = explain(&forest, PRICE);
-        Some((roles.bits(root), *cuts))
+        Some((roles.bits(root), *cuts, forest))
     });
-    let (_, cuts) = cuts.min_by(|one, other| one.0.total_cmp(&other.0))?;
-    let forest = planted(few.iter().copied(), cuts)?;
+    let (_, cuts, forest) = cuts.min_by(|one, other| one.0.total_cmp(&other.0))?;
     let all = planted(all.iter(), cuts)?;
     let rows = merged_bits(&forest);
     let groups = grouped(&forest);
@@ -58,9 +56,7 @@ pub fn shortest(all: &[Boxed]) -> Option<Forest> {
 
 /// The bits of all rules once roles are merged.
 fn merged_bits(forest: &Forest) -> f64 {
-    let (plain, root) = explain(forest, PRICE);
-    let (mut roles, root) = explain(forest, priced(plain.bits(root)));
-    merge(&mut roles, forest, root);
+    let (roles, root) = merged(forest);
     let forms = |id: &RoleId| {
         let forms = roles.role(*id).forms.keys();
         forms.map(|key| if matches!(key, Key::List(_)) { 2.0 } else { 1.0 }).sum::<f64>()

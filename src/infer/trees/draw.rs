@@ -49,7 +49,7 @@ impl Draw {
             return self.within(axis, rest);
         }
         let left = minus(Expr::ScopeSize(axis), rest);
-        let share = binary(BinaryOp::Divide, left, number(count));
+        let share = Expr::binary(BinaryOp::Divide, left, number(count));
         let most = Expr::Call(Function::Floor, vec![share]);
         Draw { expr: Expr::Call(Function::Min, vec![self.expr, most]), ..self }
     }
@@ -96,14 +96,10 @@ pub fn number(value: i32) -> Expr {
     Expr::number(f64::from(value))
 }
 
-pub fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
-    Expr::Binary(op, Box::new(left), Box::new(right))
-}
-
 pub fn minus(expr: Expr, by: i32) -> Expr {
     match by {
         0 => expr,
-        by if by < 0 => binary(BinaryOp::Add, expr, number(-by)),
-        by => binary(BinaryOp::Subtract, expr, number(by)),
+        by if by < 0 => Expr::binary(BinaryOp::Add, expr, number(-by)),
+        by => Expr::binary(BinaryOp::Subtract, expr, number(by)),
     }
 }

@@ -1,7 +1,7 @@
 //! From roles to an op graph.
 
 use super::bounds::{Least, Need, fits_all, least};
-use super::draw::{Draw, binary, number};
+use super::draw::{Draw, number};
 use super::fixed::{elastic, fixed};
 use super::forest::Forest;
 use super::form::{Form, Key};
@@ -106,7 +106,7 @@ impl Writer<'_> {
         };
         let condition = need
             .filter(|(axis, need)| *need > axis.of(self.least[&id]))
-            .map(|(axis, need)| binary(BinaryOp::GreaterEqual, Expr::ScopeSize(axis), number(need)));
+            .map(|(axis, need)| Expr::binary(BinaryOp::GreaterEqual, Expr::ScopeSize(axis), number(need)));
         Way { condition, weight: form.count, order: Order::First, sketch }
     }
 

@@ -51,10 +51,9 @@ impl Explainer<'_> {
     }
 
     fn children(&mut self, key: &Key, rows: &[Row]) -> Vec<RoleId> {
-        let units = rows.iter().flat_map(|row| row.units.iter().map(|unit| unit.place));
         match key {
             Key::Nil | Key::Leaf(_) => Vec::new(),
-            Key::Even(_) | Key::List(_) => vec![self.role(units.collect())],
+            Key::Even(_) | Key::List(_) => vec![self.role(units(rows).collect())],
             Key::Fixed { slots, .. } => (0..slots.len())
                 .map(|at| self.role(rows.iter().map(|row| row.units[at].place).collect()))
                 .collect(),
@@ -130,10 +129,9 @@ impl Explainer<'_> {
     }
 
     fn even_bits(&self, rows: &[Row]) -> f64 {
-        let units = rows.iter().flat_map(|row| row.units.iter().map(|unit| unit.place));
         self.roles.price
             + Hist::of(rows.iter().map(|row| row.units.len() as i32)).bits()
-            + self.set_bits(units)
+            + self.set_bits(units(rows))
     }
 
     /// How many of the orders are worth a form of their own.
@@ -161,8 +159,7 @@ impl Explainer<'_> {
         if rows.is_empty() {
             return 0.0;
         }
-        let units = rows.iter().flat_map(|row| row.units.iter().map(|unit| unit.place));
-        2.0 * self.roles.price + Lengths::of(rows).bits() + self.set_bits(units)
+        2.0 * self.roles.price + Lengths::of(rows).bits() + self.set_bits(units(rows))
     }
 
     /// About the bits of what places are.
@@ -187,6 +184,11 @@ impl Explainer<'_> {
         };
         row.units.iter().enumerate().map(slot).collect()
     }
+}
+
+/// The places of all units of rows.
+fn units(rows: &[Row]) -> impl Iterator<Item = PlaceId> {
+    rows.iter().flat_map(|row| row.units.iter().map(|unit| unit.place))
 }
 
 /// About the bits of a leaf and a split.

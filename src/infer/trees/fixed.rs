@@ -48,12 +48,8 @@ pub fn elastic(axis: Axis, rows: &[Row], children: &[Sketch]) -> Sketch {
 
 impl Parts {
     fn of(rows: &[Row], children: &[Sketch]) -> Parts {
-        let lengths = |row: &Row| -> Vec<i32> {
-            let units = row.units.iter().flat_map(|unit| [unit.len, unit.gap]);
-            std::iter::once(row.lead).chain(units).collect()
-        };
         let mut counts: BTreeMap<Vec<i32>, u32> = BTreeMap::new();
-        rows.iter().for_each(|row| *counts.entry(lengths(row)).or_default() += 1);
+        rows.iter().for_each(|row| *counts.entry(row.lengths()).or_default() += 1);
         let pairs = children.iter().flat_map(|child| [child.clone(), Sketch::Nil]);
         let sketches: Vec<Sketch> = std::iter::once(Sketch::Nil).chain(pairs).collect();
         let there: Vec<usize> =

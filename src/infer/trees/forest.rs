@@ -1,6 +1,6 @@
 //! The trees of all examples as places with their sizes.
 
-use crate::infer::tree::{Node, NodeId, Tree};
+use crate::infer::tree::{Node, Tree};
 use crate::space::{Axis, Bounds, Cell};
 
 /// The number of a place, children before parents.
@@ -52,27 +52,18 @@ impl Forest {
     pub fn plant<'t>(trees: impl IntoIterator<Item = (&'t Tree, Bounds)>) -> Forest {
         let mut forest = Forest::default();
         for (tree, bounds) in trees {
-            let root = forest.plant_tree(tree, bounds.size());
+            let root = forest.plant_tree(tree, bounds);
             forest.roots.push(root);
         }
         forest
     }
 
-    /// Adds the places of a tree, walked parents first and added children first.
-    fn plant_tree(&mut self, tree: &Tree, size: Cell) -> PlaceId {
-        let mut order: Vec<(NodeId, Cell, usize)> = vec![(tree.root(), size, 0)];
-        let mut at = 0;
-        while at < order.len() {
-            let (id, size, _) = order[at];
-            order[at].2 = order.len();
-            if let Node::Split { axis, parts } = tree.node(id) {
-                order.extend(parts.iter().map(|part| (part.child, resized(size, axis, part.len), 0)));
-            }
-            at += 1;
-        }
+    /// Adds the places of a tree, children first.
+    fn plant_tree(&mut self, tree: &Tree, bounds: Bounds) -> PlaceId {
+        let order = tree.in_levels(bounds);
         let last = self.places.len() + order.len() - 1;
         let number = |at: usize| PlaceId((last - at) as u32);
-        for (id, size, children) in order.into_iter().rev() {
+        for (id, bounds, children) in order.into_iter().rev() {
             let shape = match tree.node(id) {
                 Node::Nil => Shape::Nil,
                 Node::Leaf(label) => Shape::Leaf(label),
@@ -82,7 +73,7 @@ impl Forest {
                     Shape::Split { axis, parts }
                 }
             };
-            self.places.push(Place { size, shape });
+            self.places.push(Place { size: bounds.size(), shape });
         }
         number(0)
     }

@@ -4,6 +4,7 @@ use super::forest::Kind;
 use super::hist::Hist;
 use super::role::RoleId;
 use super::row::Row;
+use crate::infer::joint::estimate::choice;
 use crate::infer::joint::laws::integer;
 use crate::space::Axis;
 
@@ -151,7 +152,6 @@ pub fn fixed_lengths(units: usize, rows: &[Row]) -> Vec<Hist> {
 
 /// The bits of telling which of several things each of so many is.
 pub fn entropy(counts: impl IntoIterator<Item = u32>) -> f64 {
-    let counts: Vec<f64> = counts.into_iter().filter(|count| *count > 0).map(f64::from).collect();
-    let total: f64 = counts.iter().sum();
-    counts.iter().map(|count| count * (total / count).log2()).sum()
+    let counts: Vec<u32> = counts.into_iter().filter(|count| *count > 0).collect();
+    choice(counts.iter())
 }

@@ -1,6 +1,6 @@
 //! Lists: rows of any number of units of one role, written as a rule that calls itself for what is left.
 
-use super::draw::{Draw, binary, minus, number};
+use super::draw::{Draw, minus, number};
 use super::hist::Hist;
 use super::row::Row;
 use super::sketch::{Order, Sketch, Way, split};
@@ -123,7 +123,7 @@ impl Writer<'_> {
     }
 
     fn is(&self, op: BinaryOp, len: i32) -> Expr {
-        binary(op, Expr::ScopeSize(self.axis), number(len))
+        Expr::binary(op, Expr::ScopeSize(self.axis), number(len))
     }
 
     /// The least that was left behind a unit and its gap.
@@ -181,13 +181,16 @@ impl Writer<'_> {
         }
         let whole = minus(Expr::ScopeSize(self.axis), -gap);
         let call = |function, args| Expr::Call(function, args);
-        let counted = call(Function::Round, vec![binary(BinaryOp::Divide, whole.clone(), number(period))]);
+        let counted =
+            call(Function::Round, vec![Expr::binary(BinaryOp::Divide, whole.clone(), number(period))]);
         let counted = call(Function::Max, vec![number(2), counted]);
-        let share = call(Function::Round, vec![binary(BinaryOp::Divide, whole, counted)]);
+        let share = call(Function::Round, vec![Expr::binary(BinaryOp::Divide, whole, counted)]);
         let size = match (least, most) {
             (0, 0) => share,
             (least, most) if least == most => minus(share, -least),
-            (least, most) => binary(BinaryOp::Add, minus(share, -least), Expr::between(0, most - least)),
+            (least, most) => {
+                Expr::binary(BinaryOp::Add, minus(share, -least), Expr::between(0, most - least))
+            }
         };
         let first = self.steps.iter().map(|step| step.left).min()?;
         let longest = self.last.range().1;

@@ -20,22 +20,26 @@ mod padding;
 mod role;
 mod row;
 mod sketch;
-mod stack;
 
 use super::emit::{Primitives, sizes};
 use super::example::{Example, Terminal, Terminals};
 use super::{Learnt, Method, Notes, derived};
 use crate::graph::{Builder, raise};
 use crate::space::{Bounds, Cell};
+use forest::Forest;
+use role::{RoleId, Roles};
 
 /// The bits of a rule among few.
 const PRICE: f64 = 16.0;
 /// A rule has to be worth such a share of the whole description: of more examples nobody wants more rules.
 const SHARE: f64 = 1.0 / 400.0;
 
-/// The bits that a rule has to be worth where all that is known takes `bits`.
-fn priced(bits: f64) -> f64 {
-    PRICE + SHARE * bits
+/// The roles of a forest, those that are one merged, at the price that a rule has for so much; and that of the roots.
+fn merged(forest: &Forest) -> (Roles, RoleId) {
+    let (plain, root) = explain::explain(forest, PRICE);
+    let (mut roles, root) = explain::explain(forest, PRICE + SHARE * plain.bits(root));
+    merge::merge(&mut roles, forest, root);
+    (roles, root)
 }
 
 /// So few rules can be read as they are: they stay as exact as they are.
@@ -65,9 +69,7 @@ fn joined(examples: &[Example]) -> Option<Learnt> {
     let all: Vec<(Bounds, Vec<(Bounds, u32)>)> =
         examples.iter().map(|example| (example.bounds(), example.boxes(&mut terminals, &[]))).collect();
     let forest = cuts::shortest(&all)?;
-    let (plain, root) = explain::explain(&forest, PRICE);
-    let (mut roles, root) = explain::explain(&forest, priced(plain.bits(root)));
-    merge::merge(&mut roles, &forest, root);
+    let (roles, root) = merged(&forest);
     let least = examples.iter().map(|example| example.bounds().size()).reduce(Cell::min)?;
     let mut primitives = Primitives::default();
     let mut builder = Builder::default();

@@ -2,7 +2,7 @@
 //! the space of the whole. The tallest tower of a row then has the same form as the others.
 
 use super::forest::{Forest, Place, PlaceId, Shape, Slice, resized};
-use super::stack::stacked;
+use crate::parse::stacked;
 use crate::space::{Axis, Cell};
 
 /// Empty space along an axis, in cells.

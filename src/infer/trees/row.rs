@@ -40,6 +40,12 @@ impl Row {
         row
     }
 
+    /// The space before, then each unit and the gap behind it.
+    pub fn lengths(&self) -> Vec<i32> {
+        let units = self.units.iter().flat_map(|unit| [unit.len, unit.gap]);
+        std::iter::once(self.lead).chain(units).collect()
+    }
+
     /// The space behind the last unit.
     pub fn tail(&self) -> i32 {
         self.units.last().map_or(0, |unit| unit.gap)

@@ -1,4 +1,4 @@
-//! Recursion as deep as trees are.
+//! Recursion as deep as trees and derivations are.
 
 /// Stack that is left when more is taken, and how much more, in bytes.
 const RED_ZONE: usize = 128 << 10;
