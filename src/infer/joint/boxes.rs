@@ -56,6 +56,14 @@ impl Boxes {
         (is_uniform && self.classes().all(|class| corpus.terminal(class) == terminal)).then_some(terminal)
     }
 
+    /// Whether every box is one slice across an axis, or several equal ones, of more than one block.
+    pub fn is_slice(&self, corpus: &Corpus, axis: Axis) -> bool {
+        self.classes().all(|class| {
+            let profile = corpus.profile(class);
+            profile.starts(axis).len() == 1 && !profile.is_uniform()
+        })
+    }
+
     /// The parts of all boxes between two bounds, which are told by class.
     pub fn parts(
         &self,

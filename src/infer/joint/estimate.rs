@@ -3,6 +3,7 @@
 use super::alternation::{Alternation, units_and_separators};
 use super::boxes::Boxes;
 use super::corpus::{Class, Corpus, Sequence, Skeleton};
+use super::laws::{self, Seen};
 use super::repeats::Period;
 use super::rows::Row;
 use super::slopes::Slope;
@@ -17,6 +18,8 @@ const RUN: f64 = 6.0;
 pub const ALTERNATIVE: f64 = 3.0;
 /// Bits of a size that is left free, beside its values.
 const FREE: f64 = 4.0;
+/// Bits of planes that stand at shares of what others leave.
+const SHARES: f64 = 6.0;
 /// Bits of a repeat.
 pub const REPEAT: f64 = 7.0;
 /// Bits of a slope: a choice of two and two splits.
@@ -87,6 +90,18 @@ impl Estimates {
         }
         let counts: Vec<u32> = groups.iter().map(Boxes::count).collect();
         bits + ALTERNATIVE * groups.len() as f64 + choice(counts.iter())
+    }
+
+    /// The bits of boxes that share slices across an axis with others, which are described anyway.
+    pub fn beside(&mut self, corpus: &mut Corpus, boxes: &Boxes, others: &Boxes, axis: Axis) -> f64 {
+        if corpus.is_spent() {
+            return f64::INFINITY;
+        }
+        let mut known = FxHashSet::default();
+        for class in others.classes() {
+            known.extend(corpus.slices(class, axis).iter().copied());
+        }
+        self.across(corpus, boxes, axis, &mut known) + free(corpus, boxes)
     }
 
     fn plain(&mut self, corpus: &mut Corpus, boxes: &Boxes) -> f64 {
@@ -186,7 +201,22 @@ fn free_across(corpus: &Corpus, boxes: &Boxes, axis: Axis) -> f64 {
         boxes.iter().map(|(class, count)| (starts(class), class, count)).collect();
     boxes.sort_unstable();
     let groups = boxes.chunk_by(|(one, ..), (other, ..)| one == other);
-    groups.map(|group| (1..group[0].0).map(|plane| free_plane(corpus, group, axis, plane)).sum::<f64>()).sum()
+    groups.map(|group| free_planes(corpus, group, axis)).sum()
+}
+
+/// The bits of the planes in boxes with as many each: no more than those of a share, if all stand by shares.
+fn free_planes(corpus: &Corpus, group: &[(usize, Class, u32)], axis: Axis) -> f64 {
+    let bits = (1..group[0].0).map(|plane| free_plane(corpus, group, axis, plane)).sum::<f64>();
+    if bits <= SHARES {
+        return bits;
+    }
+    let lengths = |(_, class, count): &(usize, Class, u32)| {
+        let profile = corpus.profile(*class);
+        let ends = profile.starts(axis).iter().skip(1).copied().chain([profile.len(axis)]);
+        (profile.starts(axis).iter().zip(ends).map(|(low, high)| high - low).collect(), *count)
+    };
+    let seen: Vec<Seen> = group.iter().map(lengths).collect();
+    if laws::shared(&seen).is_some() { SHARES } else { bits }
 }
 
 /// The bits of the plane of that number in boxes with as many planes each.

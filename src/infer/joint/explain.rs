@@ -9,10 +9,11 @@ use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
 use super::plan::{self, Form, How, NodeId, Plan};
-use super::planes::{Plane, Stands, planes};
+use super::planes::{FIXED, Plane, Stands, planes};
 use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
 use super::rows::Row;
+use super::sides::Sides;
 use super::slopes::{End, Slope};
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -61,10 +62,14 @@ const AHEAD_TAKES: u64 = 3;
 /// What stands for all that is not searched for any more.
 const UNKNOWN: u32 = u32::MAX;
 
+/// Where the parts of a split start, but for the first.
+type Starts = SmallVec<[i32; 4]>;
+
 /// One way to explain boxes.
 #[derive(Clone, Debug)]
 enum Step {
     Cut(Plane),
+    Sides(Sides),
     Repeat(Period),
     Row(Row),
     Slope(Slope),
@@ -240,6 +245,7 @@ impl<'c> Explainer<'c> {
     fn take(&mut self, boxes: &Boxes, step: &Step, search: Search) -> NodeId {
         match step {
             Step::Cut(plane) => self.cut(boxes, plane, search),
+            Step::Sides(sides) => self.sides(boxes, *sides, search),
             Step::Repeat(period) => self.repeat(boxes, *period, search),
             Step::Row(row) => self.row(boxes, row, search),
             Step::Slope(slope) => self.slope(boxes, *slope, search),
@@ -307,6 +313,10 @@ impl<'c> Explainer<'c> {
                 };
                 placed + dependence::dependence(self.corpus, &rows, plane.axis)
             }
+            Step::Sides(sides) => {
+                let rows = sides.rows(self.corpus, boxes);
+                dependence::dependence(self.corpus, &rows, sides.axis)
+            }
             Step::Repeat(period) => {
                 let units = dependence::units(self.corpus, boxes, *period);
                 dependence::of_units(self.corpus, &units, period.axis)
@@ -340,8 +350,13 @@ impl<'c> Explainer<'c> {
                 break;
             }
             let [left, right] = plane.halves(self.corpus, boxes);
-            let halves = self.halves(&left, &right);
+            let halves = self.halves(&left, &right, plane.axis);
             steps.push((plane.bits + halves, Step::Cut(plane)));
+        }
+        for sides in Sides::of(self.corpus, boxes) {
+            let parts = sides.parts(self.corpus, boxes);
+            let bits = 2.0 * FIXED + parts.iter().map(|part| self.estimate(part)).sum::<f64>();
+            steps.push((bits, Step::Sides(sides)));
         }
         for period in Period::of(self.corpus, boxes) {
             if period.before == 0 && period.behind == 0 {
@@ -383,9 +398,16 @@ impl<'c> Explainer<'c> {
     }
 
     /// The estimate of what is on both sides of a plane, by itself or as one rule.
-    fn halves(&mut self, left: &Boxes, right: &Boxes) -> f64 {
+    fn halves(&mut self, left: &Boxes, right: &Boxes, axis: Axis) -> f64 {
         let [one, other] = [left, right].map(|half| self.estimate(half));
-        let apart = one + other;
+        let beside = [(one, left, right), (other, right, left)].map(|(bits, half, rest)| {
+            if half.is_slice(self.corpus, axis) {
+                bits + self.estimates.beside(self.corpus, rest, half, axis)
+            } else {
+                f64::INFINITY
+            }
+        });
+        let apart = beside.into_iter().fold(one + other, f64::min);
         // Both together take as much as the dearer of them.
         match one.min(other) <= SHARED {
             true => apart,
@@ -394,27 +416,41 @@ impl<'c> Explainer<'c> {
     }
 
     fn cut(&mut self, boxes: &Boxes, plane: &Plane, search: Search) -> NodeId {
-        let [left, right] = plane.halves(self.corpus, boxes);
-        let halves = [self.explain(&left, search), self.explain(&right, search)];
-        let axis = plane.axis;
-        let mut children = self.parts(halves[0], axis);
-        let before = children.len();
-        children.extend(self.parts(halves[1], axis));
-        let mut starts: Vec<(Class, u32, SmallVec<[i32; 4]>)> = Vec::new();
-        for ((class, count), at) in boxes.iter().zip(&plane.at) {
-            let len = self.corpus.profile(class).len(axis);
-            let [left, right] =
-                [(0, *at), (*at, len)].map(|(low, high)| self.corpus.part(class, axis, low, high));
-            let mut own = self.starts(halves[0], axis, left);
-            own.push(*at);
-            own.extend(self.starts(halves[1], axis, right).iter().map(|start| start + at));
+        let halves = plane.halves(self.corpus, boxes).map(|half| self.explain(&half, search));
+        let at = plane.at.iter().map(|at| SmallVec::from_slice(&[*at])).collect();
+        self.joined(boxes, plane.axis, &halves, at)
+    }
+
+    fn sides(&mut self, boxes: &Boxes, sides: Sides, search: Search) -> NodeId {
+        let [side, middle] = sides.parts(self.corpus, boxes).map(|part| self.explain(&part, search));
+        let lens = boxes.classes().map(|class| self.corpus.profile(class).len(sides.axis));
+        let at = lens.map(|len| SmallVec::from_slice(&sides.planes(len))).collect();
+        self.joined(boxes, sides.axis, &[side, middle, side], at)
+    }
+
+    /// One split into what stands between planes, given for each class: what splits on the same axis is taken apart, and
+    /// blocks that are equal on both sides of a plane are one part.
+    fn joined(&mut self, boxes: &Boxes, axis: Axis, nodes: &[NodeId], at: Vec<Starts>) -> NodeId {
+        let mut starts: Vec<(Class, u32, Starts)> = Vec::new();
+        for ((class, count), planes) in boxes.iter().zip(at) {
+            let ends = planes.iter().copied().chain([self.corpus.profile(class).len(axis)]);
+            let lows = std::iter::once(0).chain(planes.iter().copied());
+            let mut own = Starts::new();
+            for ((low, high), node) in lows.zip(ends).zip(nodes) {
+                let part = self.corpus.part(class, axis, low, high);
+                own.extend((low > 0).then_some(low));
+                own.extend(self.starts(*node, axis, part).iter().map(|start| start + low));
+            }
             starts.push((class, count, own));
         }
-        if self.is_one_fill(children[before - 1], children[before]) {
-            children.remove(before);
-            starts.iter_mut().for_each(|(.., own)| {
-                own.remove(before - 1);
-            });
+        let mut children: Vec<NodeId> = nodes.iter().flat_map(|node| self.parts(*node, axis)).collect();
+        for at in (1..children.len()).rev() {
+            if self.is_one_fill(children[at - 1], children[at]) {
+                children.remove(at);
+                starts.iter_mut().for_each(|(.., own)| {
+                    own.remove(at - 1);
+                });
+            }
         }
         self.split(boxes, axis, &children, starts)
     }
@@ -427,11 +463,11 @@ impl<'c> Explainer<'c> {
         }
     }
 
-    fn starts(&self, node: NodeId, across: Axis, class: Class) -> SmallVec<[i32; 4]> {
+    fn starts(&self, node: NodeId, across: Axis, class: Class) -> Starts {
         let node = self.plan.node(node);
         match (&node.form, node.how.get(&class)) {
             (Form::Split { axis, .. }, Some(How::Split(starts))) if *axis == across => starts.clone(),
-            _ => SmallVec::new(),
+            _ => Starts::new(),
         }
     }
 
@@ -444,7 +480,7 @@ impl<'c> Explainer<'c> {
         boxes: &Boxes,
         axis: Axis,
         children: &[NodeId],
-        starts: Vec<(Class, u32, SmallVec<[i32; 4]>)>,
+        starts: Vec<(Class, u32, Starts)>,
     ) -> NodeId {
         if let [only] = children {
             return *only;

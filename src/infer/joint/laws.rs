@@ -99,21 +99,32 @@ pub enum Stretch {
     Stiff,
 }
 
+/// The parts whose lengths are not one.
+fn varying(seen: &[Seen]) -> Vec<usize> {
+    let varies = |part: &usize| seen.iter().any(|(lengths, _)| lengths[*part] != seen[0].0[*part]);
+    (0..seen[0].0.len()).filter(varies).collect()
+}
+
+fn constant(seen: &[Seen]) -> Vec<Law> {
+    seen[0].0.iter().map(|len| Law::Const(*len)).collect()
+}
+
+/// The simplest laws without chance that give all that was seen, where some of it varies.
+pub fn shared(seen: &[Seen]) -> Option<Vec<Law>> {
+    let varying = varying(seen);
+    weights(varying.len()).find_map(|weights| {
+        let mut laws = constant(seen);
+        varying.iter().zip(weights).for_each(|(part, weight)| laws[*part] = Law::Float(weight));
+        seen.iter().all(|(lengths, _)| gives(&laws, lengths)).then_some(laws)
+    })
+}
+
 /// The shortest laws that may give all that was seen.
 pub fn fitted(seen: &[Seen], stretch: &[Stretch]) -> Vec<Law> {
-    let count = stretch.len();
-    let lengths = |part: usize| seen.iter().map(move |(lengths, _)| lengths[part]);
-    let varying: Vec<usize> =
-        (0..count).filter(|part| lengths(*part).any(|len| len != seen[0].0[*part])).collect();
-    let constant: Vec<Law> = seen[0].0.iter().map(|len| Law::Const(*len)).collect();
+    let (varying, constant) = (varying(seen), constant(seen));
     if varying.is_empty() {
         return stretched(constant, &seen[0].0, stretch);
     }
-    let shared = weights(varying.len()).find_map(|weights| {
-        let mut laws = constant.clone();
-        varying.iter().zip(weights).for_each(|(part, weight)| laws[*part] = Law::Float(weight));
-        seen.iter().all(|(lengths, _)| gives(&laws, lengths)).then_some(laws)
-    });
     let drawn = || {
         let options = varying.iter().map(|floating| {
             let (bits, laws) = drawn(seen, &constant, &varying, *floating);
@@ -134,7 +145,7 @@ pub fn fitted(seen: &[Seen], stretch: &[Stretch]) -> Vec<Law> {
         });
         best.map_or_else(|| constant.clone(), |(.., laws)| laws)
     };
-    shared.unwrap_or_else(drawn)
+    shared(seen).unwrap_or_else(drawn)
 }
 
 /// Whether the parts that are drawn may leave the floating one less than it was ever seen with, in a box that was

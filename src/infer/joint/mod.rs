@@ -35,6 +35,7 @@ mod rows;
 mod samples;
 mod scope;
 mod seams;
+mod sides;
 mod slopes;
 mod starts;
 mod task;

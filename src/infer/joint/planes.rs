@@ -6,7 +6,7 @@ use crate::space::Axis;
 use std::collections::BTreeSet;
 
 /// Bits of a plane at a fixed distance from an end of the box.
-const FIXED: f64 = 7.0;
+pub const FIXED: f64 = 7.0;
 /// Bits of one at a fixed share of its length.
 const SHARE: f64 = 9.0;
 /// Bits of one that is free, beside those of where it stands.
