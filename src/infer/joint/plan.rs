@@ -157,7 +157,8 @@ impl Plan {
     }
 }
 
-/// The bits of describing `boxes` by `root`: of every operation once, and of all that is left to chance.
+/// The bits of describing `boxes` by `root`: of every operation once, and of all that is left to chance. Beyond all
+/// measure where it does not describe all of them.
 pub fn bits(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes) -> f64 {
     let all = occurrences(plan, corpus, root, boxes);
     let reference = f64::from(all.len() as u32).log2();
@@ -165,6 +166,9 @@ pub fn bits(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes) -> f6
     let mut bits = 0.0;
     for (id, boxes) in all.iter().rev() {
         let node = plan.node(*id);
+        if !describes(node, boxes) {
+            return f64::INFINITY;
+        }
         // A second node of a shape says its sizes only: such nodes become one where that is shorter.
         let is_new = shapes.add(plan, *id);
         let children = if is_new { plan.children(*id).len() } else { 1 };
@@ -172,6 +176,12 @@ pub fn bits(plan: &Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxes) -> f6
         bits += chance(node, corpus, boxes) + apart(plan, corpus, *id, boxes);
     }
     bits + called(plan, &all).values().map(|calls| dependence::of_calls(corpus, calls)).sum::<f64>()
+}
+
+/// Whether a node was made for all of these boxes. One that is equal to another in its form is one with it, and may cut a
+/// box elsewhere: then what it leads to was made for other parts.
+fn describes(node: &Node, boxes: &Boxes) -> bool {
+    matches!(node.form, Form::Fill(_)) || boxes.classes().all(|class| node.how.contains_key(&class))
 }
 
 /// Nodes by their form without its sizes.
@@ -370,5 +380,29 @@ pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec
         (Form::Call { child, .. }, Some(How::Call(class))) => vec![(*child, *class)],
         (Form::Choose(children), Some(How::Choose(number))) => vec![(children[*number], class)],
         _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::corpus::Place;
+    use super::super::volume::Volume;
+    use super::*;
+    use ndarray::Array3;
+
+    #[test]
+    fn what_does_not_describe_all_boxes_is_never_shorter() {
+        let row = Volume::new(Array3::from_shape_vec((1, 1, 3), vec![1, 1, 2]).unwrap_or_default(), &[]);
+        let mut corpus = Corpus::new(vec![row], 0);
+        let places: Vec<Place> = corpus.examples();
+        let boxes = Boxes::of(places.into_iter().map(|place| (corpus.class(place), 1)));
+        let mut plan = Plan::default();
+        let [stone, wood] = [1, 2].map(|terminal| plan.add(Form::Fill(terminal), []));
+        let split =
+            || Form::Split { axis: Axis::X, parts: vec![(Law::Float(1), stone), (Law::Const(1), wood)] };
+        let root = plan.add(split(), []);
+        assert_eq!(bits(&plan, &mut corpus, root, &boxes), f64::INFINITY);
+        plan.add(split(), [(boxes.first(), How::Split(SmallVec::from_slice(&[2])))]);
+        assert!(bits(&plan, &mut corpus, root, &boxes) < f64::INFINITY);
     }
 }
