@@ -1,11 +1,13 @@
-//! Boxes that begin and end alike, at one distance from both ends: a wall, what is between, and the wall again.
+//! Boxes that begin and end with one of the same things, at one distance from both ends: a wall, what is between, and a
+//! wall again.
 
 use super::boxes::Boxes;
-use super::corpus::{Class, Corpus};
+use super::corpus::{Class, Corpus, Skeleton};
 use super::dependence::Row;
 use crate::space::Axis;
+use std::collections::BTreeSet;
 
-/// Planes at one distance from both ends of every box, behind which stands the same.
+/// Planes at one distance from both ends of every box, outside of which one rule stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Sides {
     pub axis: Axis,
@@ -21,17 +23,31 @@ impl Sides {
             let thick = corpus.profile(boxes.first()).starts(axis)[1..].to_vec();
             let sides = thick.into_iter().map(|thick| Sides { axis, thick });
             let sides = sides.take_while(|sides| 2 * sides.thick < shortest);
-            found.extend(sides.filter(|sides| boxes.classes().all(|class| sides.hold(corpus, class))));
+            found.extend(sides.filter(|sides| sides.hold(corpus, boxes)));
         }
         found
     }
 
-    fn hold(&self, corpus: &mut Corpus, class: Class) -> bool {
+    /// Whether what stands at one end of the boxes stands at the other one too, of the same box or of another.
+    fn hold(&self, corpus: &mut Corpus, boxes: &Boxes) -> bool {
+        let ends: Option<Vec<[Skeleton; 2]>> =
+            boxes.classes().map(|class| self.ends(corpus, class)).collect();
+        let Some(ends) = ends else { return false };
+        let [low, high] = [0, 1].map(|end| ends.iter().map(|ends| ends[end]).collect::<BTreeSet<Skeleton>>());
+        low.is_subset(&high) || high.is_subset(&low)
+    }
+
+    /// What both ends are but for their sizes; nothing where a plane goes through a whole of two blocks.
+    fn ends(&self, corpus: &mut Corpus, class: Class) -> Option<[Skeleton; 2]> {
         let len = corpus.profile(class).len(self.axis);
-        let planes = self.planes(len);
-        let spares = planes.iter().all(|at| !corpus.is_whole_across(class, self.axis, *at));
-        let part = |corpus: &mut Corpus, low, high| corpus.part(class, self.axis, low, high);
-        spares && part(corpus, 0, self.thick) == part(corpus, len - self.thick, len)
+        let spares = self.planes(len).iter().all(|at| !corpus.is_whole_across(class, self.axis, *at));
+        let ends = [(0, self.thick), (len - self.thick, len)];
+        spares.then(|| {
+            ends.map(|(low, high)| {
+                let end = corpus.part(class, self.axis, low, high);
+                corpus.profile(end).skeleton
+            })
+        })
     }
 
     /// Where the middle starts and ends in a box of that length.
@@ -88,8 +104,9 @@ mod tests {
     }
 
     #[test]
-    fn ends_that_differ_somewhere_are_no_sides() {
-        assert_eq!(sides_of(&[&[1, 2, 1], &[1, 2, 3]]).2, []);
+    fn what_stands_at_one_end_and_never_at_the_other_is_no_side() {
+        assert_eq!(sides_of(&[&[1, 2, 1], &[1, 2, 3], &[4, 2, 1]]).2, []);
+        assert_eq!(sides_of(&[&[1, 2, 1], &[1, 2, 3], &[3, 2, 1]]).2, [Sides { axis: Axis::X, thick: 1 }]);
         assert_eq!(sides_of(&[&[1, 2, 2, 1], &[1, 1]]).2, []);
     }
 }
