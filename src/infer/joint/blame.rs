@@ -1,14 +1,15 @@
 //! What is to blame for what a sample shows and no example does, and what would prevent it.
 
 use super::boxes::Boxes;
+use super::by_length::{self, Drawn};
 use super::corpus::{Class, Corpus, Place};
 use super::derivation::{At, Derivation, Operation};
 use super::emit::Emitted;
 use super::limits::between;
 use super::narrow::{self, Blamed};
+use super::pairs;
 use super::plan::{self, Form, NodeId, Plan};
 use super::samples::{Fault, Faulty};
-use crate::graph::NodeIndex;
 use crate::space::{Axis, Bounds, Cell};
 use ndarray::Array3;
 use rustc_hash::FxHashMap;
@@ -59,8 +60,17 @@ impl Suspects<'_> {
     pub fn blamed(&self, faulty: &Faulty) -> Vec<Blamed> {
         let Fault::Unseen { cells, windows } = &faulty.fault else { return Vec::new() };
         let of = |window: &Bounds| Blamed {
-            pairs: narrow::pairs(self.plan, self.corpus, self.emitted, (&faulty.derivation, cells), *window),
+            pairs: pairs::unseen(self.plan, self.corpus, self.emitted, (&faulty.derivation, cells), *window),
             choices: narrow::taken(self.plan, self.emitted, &faulty.derivation, *window),
+        };
+        windows.iter().map(of).collect()
+    }
+
+    /// For each place of a fault, what the sample drew there and no example draws at this length.
+    pub fn drawn(&self, faulty: &Faulty) -> Vec<Vec<Drawn>> {
+        let Fault::Unseen { windows, .. } = &faulty.fault else { return Vec::new() };
+        let of = |window: &Bounds| {
+            by_length::drawn(self.plan, self.corpus, self.emitted, &faulty.derivation, *window)
         };
         windows.iter().map(of).collect()
     }
@@ -98,7 +108,7 @@ impl Suspects<'_> {
         let [low, high] = <[Operation; 2]>::try_from(touched.collect::<Vec<Operation>>()).ok()?;
         let axis = Axis::ALL.into_iter().find(|axis| axis.of(low.bounds.max) == axis.of(high.bounds.min))?;
         let mut ends = Vec::new();
-        for id in self.planned(sample.derivation, at) {
+        for id in self.emitted.planned(sample.derivation, at) {
             for class in self.emitted.boxes(id).classes().collect::<Vec<Class>>() {
                 if let Form::Slope { slope, .. } = &self.plan.node(id).form {
                     // Inside what is left of a box all that meets is air.
@@ -141,7 +151,7 @@ impl Suspects<'_> {
         });
         let kept = derivation
             .from(at)
-            .flat_map(|at| self.planned(derivation, at))
+            .flat_map(|at| self.emitted.planned(derivation, at))
             .flat_map(|id| self.made_for.get(&id).into_iter().flatten().cloned());
         Repairs { mild: limits.collect(), kept: kept.collect() }
     }
@@ -156,20 +166,12 @@ impl Suspects<'_> {
             return (!is_seen).then(|| all.clone());
         };
         let number = derivation.get(at).number;
-        let ids = self.planned(derivation, before).into_iter();
+        let ids = self.emitted.planned(derivation, before).into_iter();
         let mut choices = ids.filter_map(|id| plan::alternatives(self.plan, id, self.emitted.boxes(id)));
         let alternatives = choices.next()?;
         let (_, own) = alternatives.get(number)?;
         let is_other = !covers(own) && alternatives.iter().any(|(_, boxes)| covers(boxes));
         is_other.then(|| own.clone())
-    }
-
-    /// The nodes of the plan that an operation stands for.
-    fn planned(&self, derivation: &Derivation, at: At) -> Vec<NodeId> {
-        let of = |node: NodeIndex| self.emitted.nodes.get(&node).cloned();
-        // A split with parameters stands behind the call that draws them.
-        let call = || derivation.before(at).and_then(|before| of(derivation.get(before).node));
-        of(derivation.get(at).node).or_else(call).unwrap_or_default()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::boxes::Boxes;
 use super::corpus::{Corpus, is_parameter};
+use super::derivation::{At, Derivation};
 use super::feasible::{Feasible, Lengths, feasible};
 use super::laws::Law;
 use super::limits::Limits;
@@ -31,6 +32,14 @@ impl Emitted {
     /// The operation at a node of what was learnt.
     pub fn op(&self, node: NodeIndex) -> &Op {
         self.learnt.graph.op(node)
+    }
+
+    /// The nodes of the plan that an operation of a sample stands for.
+    pub fn planned(&self, derivation: &Derivation, at: At) -> Vec<NodeId> {
+        let of = |at: At| self.nodes.get(&derivation.get(at).node).cloned();
+        // A split with parameters stands behind the call that draws them.
+        let call = || derivation.before(at).and_then(of);
+        of(at).or_else(call).unwrap_or_default()
     }
 
     /// The boxes that a node which the root reaches stands for.

@@ -14,7 +14,8 @@ use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
 use super::rows::Row;
 use super::sides::Sides;
-use super::slopes::{End, Slope};
+use super::slopes::Slope;
+use super::stretch::stretch;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
@@ -493,7 +494,7 @@ impl<'c> Explainer<'c> {
                 (low.zip(high).map(|(low, high)| high - low).collect(), *count)
             })
             .collect();
-        let stretch: Vec<Stretch> = children.iter().map(|child| self.stretch(*child, axis)).collect();
+        let stretch: Vec<Stretch> = children.iter().map(|child| stretch(&self.plan, *child, axis)).collect();
         let laws = match self.is_kept(boxes) {
             true => seen[0].0.iter().map(|len| Law::Const(*len)).collect(),
             false => fitted(&seen, &stretch),
@@ -501,32 +502,6 @@ impl<'c> Explainer<'c> {
         let parts = laws.into_iter().zip(children.iter().copied()).collect();
         let how = starts.into_iter().map(|(class, _, starts)| (class, How::Split(starts)));
         self.plan.add(Form::Split { axis, parts }, how)
-    }
-
-    /// How a node takes to other lengths.
-    fn stretch(&self, node: NodeId, along: Axis) -> Stretch {
-        match &self.plan.node(node).form {
-            Form::Call { child, .. } => self.stretch(*child, along),
-            Form::Fill(_) => Stretch::Alike,
-            Form::Split { axis, parts } if *axis != along => {
-                parts.iter().map(|(_, child)| self.stretch(*child, along)).max().unwrap_or(Stretch::Stiff)
-            }
-            Form::Split { parts, .. } => {
-                let floating = parts.iter().filter(|(law, _)| matches!(law, Law::Float(_)));
-                let bends = floating.map(|(_, child)| self.stretch(*child, along).max(Stretch::Bends));
-                bends.min().unwrap_or(Stretch::Stiff)
-            }
-            Form::Row { .. } => Stretch::Bends,
-            // Air above a ridge may be as high as it likes.
-            Form::Slope { slope, end, .. } if along == Axis::Y => match slope.end {
-                End::Run(_) if slope.cap.is_some() => Stretch::Bends,
-                End::Run(_) => self.stretch(*end, along).max(Stretch::Bends),
-                End::Rise(_) => Stretch::Stiff,
-            },
-            Form::Slope { slope, .. } if slope.peel.step(along) > 0 => Stretch::Stiff,
-            Form::Slope { course, end, .. } => self.stretch(*course, along).max(self.stretch(*end, along)),
-            Form::Repeat { .. } | Form::Choose(_) => Stretch::Stiff,
-        }
     }
 
     fn repeat(&mut self, boxes: &Boxes, period: Period, search: Search) -> NodeId {

@@ -8,13 +8,12 @@ use super::corpus::{Class, Corpus};
 use super::derivation::{At, Derivation};
 use super::emit::Emitted;
 use super::laws::Law;
+use super::pairs::{self, Barred};
 use super::places::{Edge, Path, Unit, chosen, each_place};
 use super::plan::{self, Form, How, NodeId, Plan};
 use super::replace::replaced;
-use super::rows::{self, Pair};
 use crate::graph::Op;
 use crate::space::{Axis, Bounds};
-use ndarray::Array3;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A choice as far as it is made below some operations, the outermost first.
@@ -37,41 +36,6 @@ pub struct Taken {
 pub struct Blamed {
     pub pairs: Vec<Barred>,
     pub choices: Vec<Taken>,
-}
-
-/// Two cells of a row that stand side by side where no example has them.
-pub type Barred = (NodeId, (Pair, usize, usize));
-
-/// The pairs of cells of rows in a window that no example has there.
-pub fn pairs(
-    plan: &Plan,
-    corpus: &Corpus,
-    emitted: &Emitted,
-    (derivation, cells): (&Derivation, &Array3<u32>),
-    window: Bounds,
-) -> Vec<Barred> {
-    let mut pairs = Vec::new();
-    for at in (0..derivation.len()).filter(|at| !derivation.get(*at).bounds.intersect(&window).is_empty()) {
-        for id in emitted.nodes.get(&derivation.get(at).node).into_iter().flatten() {
-            let Form::Row { row, .. } = &plan.node(*id).form else { continue };
-            let stands_for =
-                |at: &At| emitted.nodes.get(&derivation.get(*at).node).is_some_and(|ids| ids.contains(id));
-            if derivation.from(at).skip(1).any(|before| stands_for(&before)) {
-                continue;
-            }
-            let bounds = derivation.get(at).bounds;
-            let made: Vec<u32> = bounds
-                .cells()
-                .map(|cell| cells[[cell.y as usize, cell.z as usize, cell.x as usize]])
-                .collect();
-            let seen: Vec<Vec<u32>> =
-                emitted.boxes(*id).classes().map(|class| rows::cells(corpus, class, row.axis)).collect();
-            let number = row.axis.of(window.min) - row.axis.of(bounds.min);
-            let unseen = usize::try_from(number).ok().and_then(|number| row.unseen(&made, number, &seen));
-            pairs.extend(unseen.map(|pair| (*id, pair)));
-        }
-    }
-    pairs
 }
 
 /// The choices that a derivation made in the scopes that touch a window, the outermost first.
@@ -172,7 +136,7 @@ pub fn narrowed(
     let mut wanted: Vec<Narrowing> = of_choices.filter_map(|blamed| seen.mildest(&blamed.choices)).collect();
     wanted.sort_by_key(|narrowing| (narrowing.below.len(), narrowing.clone()));
     wanted.dedup();
-    let mut made = without_pairs(plan, blamed);
+    let mut made = pairs::without(plan, blamed.iter().flat_map(|blamed| &blamed.pairs));
     for narrowing in wanted {
         let top = narrowing.below[0].0;
         let is_apart = |other: &NodeId| !leads_to(plan, *other, top) && !leads_to(plan, top, *other);
@@ -181,22 +145,6 @@ pub fn narrowed(
         }
     }
     replaced(plan, root, &made)
-}
-
-/// Rows without what is barred, each with the row in whose place it stands.
-fn without_pairs(plan: &mut Plan, blamed: &[Blamed]) -> Vec<(NodeId, NodeId)> {
-    let mut barred: BTreeMap<NodeId, BTreeSet<(Pair, usize, usize)>> = BTreeMap::new();
-    for (id, pair) in blamed.iter().flat_map(|blamed| &blamed.pairs) {
-        barred.entry(*id).or_default().insert(*pair);
-    }
-    let narrower = |(id, pairs)| {
-        let plan::Node { mut form, how } = plan.node(id).clone();
-        if let Form::Row { row, .. } = &mut form {
-            row.barred.extend(pairs);
-        }
-        (id, plan.add(form, how))
-    };
-    barred.into_iter().map(narrower).collect()
 }
 
 fn leads_to(plan: &Plan, from: NodeId, to: NodeId) -> bool {

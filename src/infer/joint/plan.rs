@@ -348,6 +348,17 @@ pub fn alternatives(plan: &Plan, id: NodeId, boxes: &Boxes) -> Option<Vec<(NodeI
     Some(taken.map(|(child, group)| (*child, Boxes::of(group))).collect())
 }
 
+/// How long the parts of a box of that class under a split are; nothing for any other box.
+pub fn lengths(plan: &Plan, corpus: &Corpus, id: NodeId, class: Class) -> Vec<i32> {
+    let node = plan.node(id);
+    let (Form::Split { axis, .. }, Some(How::Split(starts))) = (&node.form, node.how.get(&class)) else {
+        return Vec::new();
+    };
+    let low = std::iter::once(0).chain(starts.iter().copied());
+    let high = starts.iter().copied().chain([corpus.profile(class).len(*axis)]);
+    low.zip(high).map(|(low, high)| high - low).collect()
+}
+
 /// The parts of a box of that class under a node, each with the node that describes it.
 pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec<(NodeId, Class)> {
     let node = plan.node(id);

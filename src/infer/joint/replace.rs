@@ -15,16 +15,17 @@ pub fn replaced(plan: &mut Plan, root: NodeId, by: &[(NodeId, NodeId)]) -> NodeI
     now[&root]
 }
 
-/// A node with other children in the place of its own.
-fn rebuilt(plan: &mut Plan, id: NodeId, now: &FxHashMap<NodeId, NodeId>) -> NodeId {
-    if plan.children(id).iter().all(|child| now[child] == *child) {
+/// A node with other children in the place of its own, where there are others.
+pub fn rebuilt(plan: &mut Plan, id: NodeId, now: &FxHashMap<NodeId, NodeId>) -> NodeId {
+    let now = |child: &NodeId| now.get(child).copied().unwrap_or(*child);
+    if plan.children(id).iter().all(|child| now(child) == *child) {
         return id;
     }
     let Node { mut form, how } = plan.node(id).clone();
     if let Form::Choose(children) = &form {
         return plan.choose(chosen(children, how, now));
     }
-    form.children_mut().into_iter().for_each(|child| *child = now[child]);
+    form.children_mut().into_iter().for_each(|child| *child = now(child));
     plan.add(form, how)
 }
 
@@ -32,10 +33,10 @@ fn rebuilt(plan: &mut Plan, id: NodeId, now: &FxHashMap<NodeId, NodeId>) -> Node
 fn chosen(
     children: &[NodeId],
     how: FxHashMap<Class, How>,
-    now: &FxHashMap<NodeId, NodeId>,
+    now: impl Fn(&NodeId) -> NodeId,
 ) -> Vec<(Class, NodeId)> {
     let child = |(class, how)| match how {
-        How::Choose(number) => Some((class, now[&children[number]])),
+        How::Choose(number) => Some((class, now(&children[number]))),
         _ => None,
     };
     let mut of: Vec<(Class, NodeId)> = how.into_iter().filter_map(child).collect();

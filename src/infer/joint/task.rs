@@ -3,14 +3,16 @@
 
 use super::blame::{Repair, Repairs, Suspects};
 use super::boxes::Boxes;
+use super::by_length::{self, Drawn};
 use super::corpus::Corpus;
 use super::emit::{self, Emitted};
 use super::estimate::Estimates;
 use super::explain::{Explainer, Search};
-use super::limits::Limits;
+use super::limits::{Limits, Where};
 use super::narrow::{self, Blamed};
 use super::plan::{self, NodeId};
 use super::pool;
+use super::refit;
 use super::samples::{FEW, MANY, Shown};
 use super::starts::Sizes;
 use crate::infer::example::{Example, Terminals};
@@ -123,7 +125,7 @@ impl Task<'_> {
     }
 
     /// Repairs what samples show wrong; where there is nothing mild to do, choices are narrowed until samples show nothing
-    /// wrong.
+    /// wrong, or what was drawn is barred where a scope is as long.
     fn narrowed(
         &self,
         explainer: &mut Explainer<'_>,
@@ -143,14 +145,20 @@ impl Task<'_> {
             let mut suspects = Suspects { plan, corpus, emitted: &emitted, made_for: &made_for };
             let repairs: Vec<Repairs> = faults.iter().flat_map(|faulty| suspects.repairs(faulty)).collect();
             let blamed: Vec<Blamed> = faults.iter().flat_map(|faulty| suspects.blamed(faulty)).collect();
+            let drawn: Vec<Vec<Drawn>> = faults.iter().flat_map(|faulty| suspects.drawn(faulty)).collect();
             if mend(explainer, limits, &repairs, &mut harsh) {
                 return Came::Repaired;
             }
             let narrower = narrow::narrowed(&mut explainer.plan, explainer.corpus, (root, boxes), &blamed);
-            if narrower == root {
-                return if keep_apart(explainer, &harsh) { Came::Repaired } else { Came::Stuck };
+            let other = match narrower == root {
+                true => by_length::barred(&mut explainer.plan, explainer.corpus, &emitted, limits, &drawn),
+                false => Some(narrower),
+            };
+            match other {
+                Some(other) => root = other,
+                None if keep_apart(explainer, &harsh) => return Came::Repaired,
+                None => return Came::Stuck,
             }
-            root = narrower;
         }
         Came::Stuck
     }
@@ -183,11 +191,13 @@ impl Task<'_> {
         };
         let holds = |explainer: &mut Explainer<'_>, root| is_like(&learnt(explainer, root, Sizes::Seen), FEW);
         let one = pool::pooled(explainer, root, boxes, Search(AHEAD), holds);
-        let mut of_one = [Sizes::Between, Sizes::Seen].into_iter().map(|sizes| learnt(explainer, one, sizes));
-        let (root, learnt) = match of_one.find(|learnt| is_like(learnt, MANY)) {
-            Some(pooled) => (one, pooled),
-            None => (root, learnt(explainer, root, Sizes::Seen)),
-        };
+        let fitted = refit::refitted(&mut explainer.plan, explainer.corpus, one, boxes);
+        let tries = [fitted, one]
+            .into_iter()
+            .flat_map(|root| [Sizes::Between, Sizes::Seen].map(|sizes| (root, sizes)));
+        let mut of_one = tries.map(|(root, sizes)| (root, learnt(explainer, root, sizes)));
+        let found = of_one.find(|(_, learnt)| is_like(learnt, MANY));
+        let (root, learnt) = found.unwrap_or_else(|| (root, learnt(explainer, root, Sizes::Seen)));
         (learnt, plan::bits(&explainer.plan, explainer.corpus, root, boxes))
     }
 }
@@ -227,7 +237,7 @@ fn mend(
 fn make(explainer: &mut Explainer<'_>, limits: &mut Limits, repair: &Repair) -> bool {
     match repair {
         Repair::Tear { last, first, axis } => explainer.tear(*last, *first, *axis),
-        Repair::Limit { boxes, axis } => limits.set(boxes, *axis),
+        Repair::Limit { boxes, axis } => limits.set(boxes, *axis, Where::Between),
     }
 }
 

@@ -1,0 +1,233 @@
+//! Alternatives and drawn sizes that no example has where a scope is as long as in a sample: they are not to be had there.
+//!
+//! A wing may be four or five blocks wide, but at the widest house five only: what stands behind it would meet it otherwise
+//! than in any example.
+
+use super::boxes::Boxes;
+use super::corpus::{Class, Corpus};
+use super::derivation::{At, Derivation};
+use super::emit::Emitted;
+use super::laws::{Law, law_of};
+use super::limits::{Limits, Where};
+use super::plan::{self, Form, How, NodeId, Plan};
+use super::replace::replaced;
+use crate::graph::Op;
+use crate::space::{Axis, Bounds};
+use rustc_hash::FxHashSet;
+
+/// What a sample drew in a scope of a length at which no example draws it.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Drawn {
+    /// The boxes of that length in the examples: the fewer, the less is lost by barring it.
+    seen: u32,
+    axis: Axis,
+    len: i32,
+    what: What,
+}
+
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum What {
+    /// The alternative that was made for these boxes.
+    Alternative(Boxes),
+    /// The length of a part of a split.
+    Part(NodeId),
+}
+
+/// What a derivation drew in the scopes that touch a window and no example draws at their lengths; what is rarest first.
+pub fn drawn(
+    plan: &Plan,
+    corpus: &Corpus,
+    emitted: &Emitted,
+    derivation: &Derivation,
+    window: Bounds,
+) -> Vec<Drawn> {
+    let is_near = |at: &At| !derivation.get(*at).bounds.intersect(&window).is_empty();
+    let drawing = Drawing { plan, corpus, emitted, derivation };
+    let near = (0..derivation.len()).filter(is_near);
+    let mut drawn: Vec<Drawn> =
+        near.flat_map(|at| drawing.alternative(at).into_iter().chain(drawing.parts(at))).collect();
+    drawn.sort();
+    drawn
+}
+
+/// What a sample was drawn from.
+struct Drawing<'d> {
+    plan: &'d Plan,
+    corpus: &'d Corpus,
+    emitted: &'d Emitted,
+    derivation: &'d Derivation,
+}
+
+impl Drawing<'_> {
+    /// The alternative that an operation is, by each axis on which no example takes it at this length.
+    fn alternative(&self, at: At) -> Vec<Drawn> {
+        let operation = self.derivation.get(at);
+        let before = self.derivation.before(at).map_or_else(Vec::new, |before| self.planned(before));
+        let all = before.into_iter();
+        let mut choices = all.filter_map(|id| plan::alternatives(self.plan, id, self.emitted.boxes(id)));
+        let Some(alternatives) = choices.next() else { return Vec::new() };
+        let Some((_, own)) = alternatives.get(operation.number) else { return Vec::new() };
+        let drawn = |axis: Axis| {
+            let len = operation.bounds.len(axis);
+            let is_long = |boxes: &Boxes| self.count(boxes, axis, len);
+            let others: u32 = alternatives.iter().map(|(_, boxes)| is_long(boxes)).sum();
+            let is_barred = is_long(own) == 0 && others > 0;
+            is_barred.then(|| Drawn { seen: others, axis, len, what: What::Alternative(own.clone()) })
+        };
+        Axis::ALL.into_iter().filter_map(drawn).collect()
+    }
+
+    /// A split whose drawn parts no example has so long, by each axis on which none does at this length.
+    fn parts(&self, at: At) -> Vec<Drawn> {
+        if !matches!(self.emitted.op(self.derivation.get(at).node), Op::Split { .. }) {
+            return Vec::new();
+        }
+        let bounds = self.derivation.get(at).bounds;
+        let of = |id: NodeId| {
+            let Form::Split { axis: along, parts } = &self.plan.node(id).form else { return Vec::new() };
+            let made: Vec<i32> = self.derivation.children(at).map(|part| part.bounds.len(*along)).collect();
+            let is_drawn: Vec<usize> = (0..parts.len()).filter(|part| parts[*part].0.is_drawn()).collect();
+            if made.len() != parts.len() || is_drawn.is_empty() {
+                return Vec::new();
+            }
+            let boxes = self.emitted.boxes(id);
+            let drawn = |axis: Axis| {
+                let len = bounds.len(axis);
+                let mut there = boxes.classes().filter(|class| self.corpus.profile(*class).len(axis) == len);
+                let is_so = |class: Class| {
+                    let lengths = plan::lengths(self.plan, self.corpus, id, class);
+                    is_drawn.iter().all(|part| lengths.get(*part) == Some(&made[*part]))
+                };
+                let seen = self.count(boxes, axis, len);
+                let is_barred = 0 < seen && seen < boxes.count() && !there.any(is_so);
+                is_barred.then_some(Drawn { seen, axis, len, what: What::Part(id) })
+            };
+            Axis::ALL.into_iter().filter_map(drawn).collect::<Vec<Drawn>>()
+        };
+        self.planned(at).into_iter().flat_map(of).collect()
+    }
+
+    fn planned(&self, at: At) -> Vec<NodeId> {
+        self.emitted.planned(self.derivation, at)
+    }
+
+    /// How many boxes are so long.
+    fn count(&self, boxes: &Boxes, axis: Axis, len: i32) -> u32 {
+        let there = boxes.iter().filter(|(class, _)| self.corpus.profile(*class).len(axis) == len);
+        there.map(|(_, count)| count).sum()
+    }
+}
+
+/// The root of the plan without one of what was drawn in each place; whether anything was barred.
+pub fn barred(
+    plan: &mut Plan,
+    corpus: &Corpus,
+    emitted: &Emitted,
+    limits: &mut Limits,
+    places: &[Vec<Drawn>],
+) -> Option<NodeId> {
+    let mut rarest: Vec<&Drawn> = places.iter().filter_map(|place| place.first()).collect();
+    rarest.sort();
+    rarest.dedup();
+    let (mut is_new, mut split) = (false, FxHashSet::default());
+    let mut made = Vec::new();
+    for Drawn { axis, len, what, .. } in rarest {
+        match what {
+            What::Alternative(own) => is_new |= limits.set(own, *axis, Where::Seen),
+            What::Part(id) if split.insert(*id) => {
+                made.push((*id, told_apart(plan, corpus, limits, (*id, emitted.boxes(*id)), (*axis, *len))));
+            }
+            What::Part(_) => {}
+        }
+    }
+    (is_new || !made.is_empty()).then(|| replaced(plan, emitted.root, &made))
+}
+
+/// A choice by their length between the split of the boxes that are so long and that of the others.
+fn told_apart(
+    plan: &mut Plan,
+    corpus: &Corpus,
+    limits: &mut Limits,
+    (id, boxes): (NodeId, &Boxes),
+    (axis, len): (Axis, i32),
+) -> NodeId {
+    let is_there = |(class, _): &(Class, u32)| corpus.profile(*class).len(axis) == len;
+    let (there, others): (Vec<_>, Vec<_>) = boxes.iter().partition(is_there);
+    let mut of = Vec::new();
+    for group in [there, others].map(Boxes::of) {
+        let node = refitted(plan, corpus, id, &group);
+        limits.set(&group, axis, Where::Seen);
+        of.extend(group.classes().map(|class| (class, node)));
+    }
+    of.sort_unstable();
+    plan.choose(of)
+}
+
+/// A split that draws what some of its boxes show.
+fn refitted(plan: &mut Plan, corpus: &Corpus, id: NodeId, boxes: &Boxes) -> NodeId {
+    let plan::Node { form, how } = plan.node(id).clone();
+    let Form::Split { axis, parts } = form else { return id };
+    let rows: Vec<(Vec<i32>, u32)> =
+        boxes.iter().map(|(class, count)| (plan::lengths(plan, corpus, id, class), count)).collect();
+    let own = |part: usize| law_of(rows.iter().map(|(lengths, count)| (lengths[part], *count)));
+    let laws: Vec<Law> = (0..parts.len())
+        .map(|part| match &parts[part].0 {
+            Law::Same(owner) if !own(*owner).is_drawn() => own(*owner),
+            law if law.is_drawn() => own(part),
+            law => law.clone(),
+        })
+        .collect();
+    let parts = laws.into_iter().zip(parts).map(|(law, (_, child))| (law, child)).collect();
+    let how = boxes.classes().filter_map(|class| Some((class, how.get(&class)?.clone())));
+    let how: Vec<(Class, How)> = how.collect();
+    plan.add(Form::Split { axis, parts }, how)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::corpus::Place;
+    use super::super::feasible::Lengths;
+    use super::super::volume::Volume;
+    use super::*;
+    use ndarray::Array3;
+    use smallvec::SmallVec;
+
+    /// Rows of wood up to a length, then stone.
+    fn corpus(rows: &[(i32, i32)]) -> (Corpus, Vec<Class>) {
+        let row = |(wood, len): &(i32, i32)| {
+            let cells = (0..*len).map(|x| if x < *wood { 1 } else { 2 }).collect();
+            Volume::new(Array3::from_shape_vec((1, 1, *len as usize), cells).unwrap_or_default(), &[])
+        };
+        let mut corpus = Corpus::new(rows.iter().map(row).collect(), 0);
+        let places: Vec<Place> = corpus.examples();
+        let classes = places.into_iter().map(|place| corpus.class(place)).collect();
+        (corpus, classes)
+    }
+
+    #[test]
+    fn a_length_that_was_never_drawn_in_so_long_a_box_is_not_to_be_had_there() {
+        let rows = [(2, 5), (3, 6), (2, 7), (3, 7)];
+        let (corpus, classes) = corpus(&rows);
+        let boxes = Boxes::of(classes.iter().map(|class| (*class, 1)));
+        let mut plan = Plan::default();
+        let [wood, stone] = [1, 2].map(|terminal| plan.add(Form::Fill(terminal), []));
+        let drawn = Law::Range { low: 2, high: 3, step: 1 };
+        let how = classes
+            .iter()
+            .zip(&rows)
+            .map(|(class, (wood, _))| (*class, How::Split(SmallVec::from_slice(&[*wood]))));
+        let parts = vec![(drawn.clone(), wood), (Law::Float(1), stone)];
+        let split = plan.add(Form::Split { axis: Axis::X, parts }, how);
+        let mut limits = Limits::default();
+        let choice = told_apart(&mut plan, &corpus, &mut limits, (split, &boxes), (Axis::X, 6));
+        let alternatives = plan::alternatives(&plan, choice, &boxes).unwrap_or_default();
+        let shown = alternatives.iter().map(|(id, own)| {
+            let Form::Split { parts, .. } = &plan.node(*id).form else { panic!("a split is told apart") };
+            let all = alternatives.iter().map(|(_, boxes)| boxes);
+            let lengths = limits.lengths(&corpus, own, all, Axis::X);
+            (parts[0].0.clone(), Lengths::of(5..=7).and(lengths))
+        });
+        let shown: Vec<(Law, Lengths)> = shown.collect();
+        assert_eq!(shown, [(drawn, Lengths::of([5, 7])), (Law::Const(3), Lengths::of([6]))]);
+    }
+}
