@@ -9,7 +9,7 @@ use super::groups::groupings;
 use super::laws::{Law, Seen, Stretch, fitted};
 use super::memo::Memo;
 use super::plan::{self, Form, How, NodeId, Plan};
-use super::planes::{FIXED, Plane, Stands, planes};
+use super::planes::{Plane, Stands, planes};
 use super::recolour::{ARGUMENT, CALL, Recoloured, Recolouring};
 use super::repeats::Period;
 use super::rows::Row;
@@ -246,7 +246,7 @@ impl<'c> Explainer<'c> {
     fn take(&mut self, boxes: &Boxes, step: &Step, search: Search) -> NodeId {
         match step {
             Step::Cut(plane) => self.cut(boxes, plane, search),
-            Step::Sides(sides) => self.sides(boxes, *sides, search),
+            Step::Sides(sides) => self.sides(boxes, sides, search),
             Step::Repeat(period) => self.repeat(boxes, *period, search),
             Step::Row(row) => self.row(boxes, row, search),
             Step::Slope(slope) => self.slope(boxes, *slope, search),
@@ -356,7 +356,7 @@ impl<'c> Explainer<'c> {
         }
         for sides in Sides::of(self.corpus, boxes) {
             let parts = sides.parts(self.corpus, boxes);
-            let bits = 2.0 * FIXED + parts.iter().map(|part| self.estimate(part)).sum::<f64>();
+            let bits = sides.bits + parts.iter().map(|part| self.estimate(part)).sum::<f64>();
             steps.push((bits, Step::Sides(sides)));
         }
         for period in Period::of(self.corpus, boxes) {
@@ -422,10 +422,9 @@ impl<'c> Explainer<'c> {
         self.joined(boxes, plane.axis, &halves, at)
     }
 
-    fn sides(&mut self, boxes: &Boxes, sides: Sides, search: Search) -> NodeId {
+    fn sides(&mut self, boxes: &Boxes, sides: &Sides, search: Search) -> NodeId {
         let [side, middle] = sides.parts(self.corpus, boxes).map(|part| self.explain(&part, search));
-        let lens = boxes.classes().map(|class| self.corpus.profile(class).len(sides.axis));
-        let at = lens.map(|len| SmallVec::from_slice(&sides.planes(len))).collect();
+        let at = sides.middles.iter().map(|middle| SmallVec::from_slice(middle)).collect();
         self.joined(boxes, sides.axis, &[side, middle, side], at)
     }
 

@@ -119,6 +119,17 @@ pub fn shared(seen: &[Seen]) -> Option<Vec<Law>> {
     })
 }
 
+/// The bits of what is left to chance where parts share evenly what others leave, of which one may be drawn; beyond all
+/// measure where none do.
+pub fn sharing(seen: &[Seen]) -> f64 {
+    let (varying, constant) = (varying(seen), constant(seen));
+    if varying.is_empty() || shared(seen).is_some() {
+        return 0.0;
+    }
+    let middles = varying.iter().filter_map(|middle| between(seen, &constant, &varying, *middle));
+    middles.map(|(bits, _)| bits).fold(f64::INFINITY, f64::min)
+}
+
 /// The shortest laws that may give all that was seen.
 pub fn fitted(seen: &[Seen], stretch: &[Stretch]) -> Vec<Law> {
     let (varying, constant) = (varying(seen), constant(seen));
