@@ -25,7 +25,11 @@ fn graph_of(text: &str) -> OpGraph {
 }
 
 fn examples(graph: &OpGraph, count: usize) -> Vec<Grid> {
-    Samples::draw(graph, &Library::new(), 0, count).made
+    examples_from(graph, 0, count)
+}
+
+fn examples_from(graph: &OpGraph, first_seed: u64, count: usize) -> Vec<Grid> {
+    Samples::draw(graph, &Library::new(), first_seed, count).made
 }
 
 fn learnt(grids: &[Grid], freedom: Freedom) -> Learnt {
@@ -49,13 +53,43 @@ fn every_example_is_reproduced() {
 fn samples_show_what_the_examples_show() {
     for file in all_in("tests/truth") {
         let grids = examples(&file.graph(), 5);
-        let graph = learnt(&grids, Freedom::Seen).graph;
-        let samples = examples(&graph, 24);
-        assert_eq!(samples.len(), 24, "{}: some samples fail", file.name());
-        let mut alphabet = Alphabet::default();
-        let [samples, shown] = [&samples, &grids].map(|grids| alphabet.all(grids));
-        assert_eq!(unseen_seams(&samples, &Seams::of(&shown)), 0.0, "{}", file.name());
+        show_only_what_is_in(&grids, &file.name());
     }
+}
+
+/// The outside is not air: a wall may stand at the end of a building only if one does in an example.
+#[test]
+fn samples_end_as_examples_do() {
+    show_only_what_is_in(&examples_from(&truth("wing").graph(), 1_000_000, 5), "wing");
+}
+
+fn show_only_what_is_in(grids: &[Grid], name: &str) {
+    let graph = learnt(grids, Freedom::Seen).graph;
+    let samples = examples(&graph, 24);
+    assert_eq!(samples.len(), 24, "{name}: some samples fail");
+    let mut alphabet = Alphabet::default();
+    let [samples, shown] = [&samples, grids].map(|grids| alphabet.all(grids));
+    assert_eq!(unseen_seams(&samples, &Seams::of(&shown)), 0.0, "{name}");
+}
+
+/// Combinations of sizes that no example shows are barred, and nothing else changes for it.
+#[test]
+fn wings_are_learnt_from_few_examples() {
+    let truth = truth("l-plan").graph();
+    let grids = examples(&truth, 10);
+    let learnt = learnt(&grids, Freedom::Seen).graph;
+    let found = agreement(&learnt, &truth, &Library::new(), &grids, 1000, 40);
+    assert!(found.precision >= 0.95 && found.structural_recall >= 0.7, "{found:?}");
+    assert!(10 * found.rules <= 13 * found.true_rules, "{found:?}");
+}
+
+/// A window in the middle of a wall is one step, however wide both are.
+#[test]
+fn gates_in_the_middle_are_learnt_from_three_examples() {
+    let truth = truth("slab-gable").graph();
+    let grids = examples(&truth, 3);
+    let found = agreement(&learnt(&grids, Freedom::Seen).graph, &truth, &Library::new(), &grids, 1000, 40);
+    assert!(found.precision >= 0.95 && found.recall >= 0.9, "{found:?}");
 }
 
 #[test]
@@ -116,9 +150,10 @@ fn known_grammars_are_learnt_back() {
     for (name, least) in [
         ("tower", 0.95),
         ("turned", 0.95),
-        ("cottage", 0.6),
-        ("walls-by-axis", 0.6),
-        ("wing", 0.6),
+        ("cottage", 0.7),
+        ("hip", 0.95),
+        ("walls-by-axis", 0.9),
+        ("wing", 0.8),
         ("two-woods", 0.8),
         ("gable", 0.95),
     ] {

@@ -5,6 +5,7 @@ use super::seams::window;
 use crate::graph::OpGraph;
 use crate::grid::Grid;
 use crate::infer::example::{Example, Terminals};
+use crate::infer::neighbourhood::OUTSIDE;
 use crate::neighbours::settle;
 use crate::run::{Library, Options, run, run_observed};
 use crate::space::{Bounds, Cell};
@@ -117,12 +118,11 @@ impl Shown {
 
 /// The neighbourhoods of a building with where they are.
 fn around(building: &Example, terminals: &mut Terminals) -> Vec<(Cell, u64)> {
-    let outside = terminals.air();
     let all = building.bounds();
     let Some(cells) = building.cells(terminals) else { return Vec::new() };
     let get = |cell: Cell| match all.contains(cell) {
         true => cells[[cell.y as usize, cell.z as usize, cell.x as usize]],
-        false => outside,
+        false => OUTSIDE,
     };
     let starts = Bounds::new(all.min - Cell::ONE, all.max);
     starts.cells().map(|at| (at, window(Cell::splat(2), |step| get(at + step)))).collect()
