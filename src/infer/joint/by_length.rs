@@ -13,7 +13,6 @@ use super::plan::{self, Form, How, NodeId, Plan};
 use super::replace::replaced;
 use crate::graph::Op;
 use crate::space::{Axis, Bounds};
-use rustc_hash::FxHashSet;
 
 /// What a sample drew in a scope of a length at which no example draws it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -77,34 +76,37 @@ impl Drawing<'_> {
         Axis::ALL.into_iter().filter_map(drawn).collect()
     }
 
-    /// A split whose drawn parts no example has so long, by each axis on which none does at this length.
+    /// The split that an operation is, if it drew a part, by each axis on which no example has that part so long at this
+    /// length.
     fn parts(&self, at: At) -> Vec<Drawn> {
-        if !matches!(self.emitted.op(self.derivation.get(at).node), Op::Split { .. }) {
+        match self.emitted.op(self.derivation.get(at).node) {
+            Op::Split { .. } => self.planned(at).into_iter().flat_map(|id| self.parts_of(at, id)).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    fn parts_of(&self, at: At, id: NodeId) -> Vec<Drawn> {
+        let Form::Split { axis: along, parts } = &self.plan.node(id).form else { return Vec::new() };
+        let made: Vec<i32> = self.derivation.children(at).map(|part| part.bounds.len(*along)).collect();
+        if made.len() != parts.len() {
             return Vec::new();
         }
         let bounds = self.derivation.get(at).bounds;
-        let of = |id: NodeId| {
-            let Form::Split { axis: along, parts } = &self.plan.node(id).form else { return Vec::new() };
-            let made: Vec<i32> = self.derivation.children(at).map(|part| part.bounds.len(*along)).collect();
-            let is_drawn: Vec<usize> = (0..parts.len()).filter(|part| parts[*part].0.is_drawn()).collect();
-            if made.len() != parts.len() || is_drawn.is_empty() {
-                return Vec::new();
-            }
-            let boxes = self.emitted.boxes(id);
-            let drawn = |axis: Axis| {
-                let len = bounds.len(axis);
-                let mut there = boxes.classes().filter(|class| self.corpus.profile(*class).len(axis) == len);
-                let is_so = |class: Class| {
-                    let lengths = plan::lengths(self.plan, self.corpus, id, class);
-                    is_drawn.iter().all(|part| lengths.get(*part) == Some(&made[*part]))
-                };
-                let seen = self.count(boxes, axis, len);
-                let is_barred = 0 < seen && seen < boxes.count() && !there.any(is_so);
-                is_barred.then_some(Drawn { seen, axis, len, what: What::Part(id) })
+        let boxes = self.emitted.boxes(id);
+        let drawn = |axis: Axis| {
+            let len = bounds.len(axis);
+            let there = boxes.classes().filter(|class| self.corpus.profile(*class).len(axis) == len);
+            let there: Vec<Vec<i32>> =
+                there.map(|class| plan::lengths(self.plan, self.corpus, id, class)).collect();
+            let is_unseen = |part: usize| {
+                parts[part].0.is_drawn()
+                    && !there.iter().any(|lengths| lengths.get(part) == Some(&made[part]))
             };
-            Axis::ALL.into_iter().filter_map(drawn).collect::<Vec<Drawn>>()
+            let seen = self.count(boxes, axis, len);
+            let is_barred = 0 < seen && seen < boxes.count() && (0..parts.len()).any(is_unseen);
+            is_barred.then_some(Drawn { seen, axis, len, what: What::Part(id) })
         };
-        self.planned(at).into_iter().flat_map(of).collect()
+        Axis::ALL.into_iter().filter_map(drawn).collect()
     }
 
     fn planned(&self, at: At) -> Vec<NodeId> {
@@ -118,7 +120,8 @@ impl Drawing<'_> {
     }
 }
 
-/// The root of the plan without one of what was drawn in each place; whether anything was barred.
+/// The root of the plan without one of what was drawn in each place, the rarest that is not barred yet; `None` if there is
+/// no such.
 pub fn barred(
     plan: &mut Plan,
     corpus: &Corpus,
@@ -126,21 +129,20 @@ pub fn barred(
     limits: &mut Limits,
     places: &[Vec<Drawn>],
 ) -> Option<NodeId> {
-    let mut rarest: Vec<&Drawn> = places.iter().filter_map(|place| place.first()).collect();
-    rarest.sort();
-    rarest.dedup();
-    let (mut is_new, mut split) = (false, FxHashSet::default());
-    let mut made = Vec::new();
-    for Drawn { axis, len, what, .. } in rarest {
-        match what {
-            What::Alternative(own) => is_new |= limits.set(own, *axis, Where::Seen),
-            What::Part(id) if split.insert(*id) => {
-                made.push((*id, told_apart(plan, corpus, limits, (*id, emitted.boxes(*id)), (*axis, *len))));
-            }
-            What::Part(_) => {}
+    let mut made: Vec<(NodeId, NodeId)> = Vec::new();
+    let mut bar = |Drawn { axis, len, what, .. }: &Drawn| match what {
+        What::Alternative(own) => limits.set(own, *axis, Where::Seen),
+        What::Part(id) if made.iter().any(|(split, _)| split == id) => true,
+        What::Part(id) => {
+            let node = told_apart(plan, corpus, limits, (*id, emitted.boxes(*id)), (*axis, *len));
+            // Both groups may draw the same.
+            let is_new = node != *id;
+            made.extend(is_new.then_some((*id, node)));
+            is_new
         }
-    }
-    (is_new || !made.is_empty()).then(|| replaced(plan, emitted.root, &made))
+    };
+    let any = places.iter().fold(false, |any, place| place.iter().any(&mut bar) | any);
+    any.then(|| replaced(plan, emitted.root, &made))
 }
 
 /// A choice by their length between the split of the boxes that are so long and that of the others.

@@ -126,7 +126,7 @@ mod tests {
     fn what_stands_at_both_ends_of_all_boxes_is_a_side() {
         let (mut corpus, boxes, sides) = sides_of(&[&[1, 2, 3, 1, 2], &[1, 2, 4, 4, 1, 2]]);
         let own = Sides { axis: Axis::X, middles: vec![[2, 3], [2, 4]], bits: 2.0 * FIXED };
-        assert_eq!(sides, [own.clone()]);
+        assert_eq!(sides, std::slice::from_ref(&own));
         let [sides, middles] = own.parts(&mut corpus, &boxes);
         assert_eq!((sides.kinds(), sides.count()), (1, 4));
         assert_eq!(middles.kinds(), 2);
