@@ -72,13 +72,16 @@ fn show_only_what_is_in(grids: &[Grid], name: &str) {
     assert_eq!(unseen_seams(&samples, &Seams::of(&shown)), 0.0, "{name}");
 }
 
+/// How much of a grammar is learnt back from so many examples of it.
+fn learnt_back(truth: &OpGraph, count: usize) -> Agreement {
+    let grids = examples(truth, count);
+    agreement(&learnt(&grids, Freedom::Seen).graph, truth, &Library::new(), &grids, 1000, 40)
+}
+
 /// Combinations of sizes that no example shows are barred, and nothing else changes for it.
 #[test]
 fn wings_are_learnt_from_few_examples() {
-    let truth = truth("l-plan").graph();
-    let grids = examples(&truth, 10);
-    let learnt = learnt(&grids, Freedom::Seen).graph;
-    let found = agreement(&learnt, &truth, &Library::new(), &grids, 1000, 40);
+    let found = learnt_back(&truth("l-plan").graph(), 10);
     assert!(found.precision >= 0.95 && found.structural_recall >= 0.7, "{found:?}");
     assert!(10 * found.rules <= 13 * found.true_rules, "{found:?}");
 }
@@ -86,9 +89,7 @@ fn wings_are_learnt_from_few_examples() {
 /// A window in the middle of a wall is one step, however wide both are.
 #[test]
 fn gates_in_the_middle_are_learnt_from_three_examples() {
-    let truth = truth("slab-gable").graph();
-    let grids = examples(&truth, 3);
-    let found = agreement(&learnt(&grids, Freedom::Seen).graph, &truth, &Library::new(), &grids, 1000, 40);
+    let found = learnt_back(&truth("slab-gable").graph(), 3);
     assert!(found.precision >= 0.95 && found.recall >= 0.9, "{found:?}");
 }
 
@@ -137,9 +138,7 @@ fn what_no_example_has_in_one_place_is_not_made_there() {
 
 #[test]
 fn a_city_is_learnt_back_as_far_as_its_examples_show() {
-    let truth = truth("city").graph();
-    let grids = examples(&truth, 20);
-    let found = agreement(&learnt(&grids, Freedom::Seen).graph, &truth, &Library::new(), &grids, 1000, 40);
+    let found = learnt_back(&truth("city").graph(), 20);
     assert!(found.precision >= 0.95 && found.recall >= 0.7, "{found:?}");
     assert!(found.rules <= 2 * found.true_rules, "{found:?}");
 }

@@ -160,18 +160,14 @@ impl Suspects<'_> {
     /// examples, if a building has a length of none of them.
     fn limited(&self, derivation: &Derivation, at: At, axis: Axis, len: i32) -> Option<Boxes> {
         let covers = |boxes: &Boxes| between(self.corpus, boxes, axis).contains(len);
-        let Some(before) = derivation.before(at) else {
+        if derivation.before(at).is_none() {
             let all = self.emitted.boxes(self.emitted.root);
             let is_seen = all.classes().any(|class| self.corpus.profile(class).len(axis) == len);
             return (!is_seen).then(|| all.clone());
-        };
-        let number = derivation.get(at).number;
-        let ids = self.emitted.planned(derivation, before).into_iter();
-        let mut choices = ids.filter_map(|id| plan::alternatives(self.plan, id, self.emitted.boxes(id)));
-        let alternatives = choices.next()?;
-        let (_, own) = alternatives.get(number)?;
-        let is_other = !covers(own) && alternatives.iter().any(|(_, boxes)| covers(boxes));
-        is_other.then(|| own.clone())
+        }
+        let (own, alternatives) = self.emitted.alternatives(self.plan, derivation, at)?;
+        let is_other = !covers(&own) && alternatives.iter().any(|(_, boxes)| covers(boxes));
+        is_other.then_some(own)
     }
 }
 

@@ -9,7 +9,7 @@ use super::derivation::{At, Derivation};
 use super::emit::Emitted;
 use super::laws::{Law, law_of};
 use super::limits::{Limits, Where};
-use super::plan::{self, Form, How, NodeId, Plan};
+use super::plan::{self, Form, NodeId, Plan};
 use super::replace::replaced;
 use crate::graph::Op;
 use crate::space::{Axis, Bounds};
@@ -60,17 +60,15 @@ struct Drawing<'d> {
 impl Drawing<'_> {
     /// The alternative that an operation is, by each axis on which no example takes it at this length.
     fn alternative(&self, at: At) -> Vec<Drawn> {
-        let operation = self.derivation.get(at);
-        let before = self.derivation.before(at).map_or_else(Vec::new, |before| self.planned(before));
-        let all = before.into_iter();
-        let mut choices = all.filter_map(|id| plan::alternatives(self.plan, id, self.emitted.boxes(id)));
-        let Some(alternatives) = choices.next() else { return Vec::new() };
-        let Some((_, own)) = alternatives.get(operation.number) else { return Vec::new() };
+        let bounds = self.derivation.get(at).bounds;
+        let Some((own, alternatives)) = self.emitted.alternatives(self.plan, self.derivation, at) else {
+            return Vec::new();
+        };
         let drawn = |axis: Axis| {
-            let len = operation.bounds.len(axis);
+            let len = bounds.len(axis);
             let is_long = |boxes: &Boxes| self.count(boxes, axis, len);
             let others: u32 = alternatives.iter().map(|(_, boxes)| is_long(boxes)).sum();
-            let is_barred = is_long(own) == 0 && others > 0;
+            let is_barred = is_long(&own) == 0 && others > 0;
             is_barred.then(|| Drawn { seen: others, axis, len, what: What::Alternative(own.clone()) })
         };
         Axis::ALL.into_iter().filter_map(drawn).collect()
@@ -167,28 +165,23 @@ fn told_apart(
 
 /// A split that draws what some of its boxes show.
 fn refitted(plan: &mut Plan, corpus: &Corpus, id: NodeId, boxes: &Boxes) -> NodeId {
-    let plan::Node { form, how } = plan.node(id).clone();
-    let Form::Split { axis, parts } = form else { return id };
-    let rows: Vec<(Vec<i32>, u32)> =
-        boxes.iter().map(|(class, count)| (plan::lengths(plan, corpus, id, class), count)).collect();
-    let own = |part: usize| law_of(rows.iter().map(|(lengths, count)| (lengths[part], *count)));
-    let laws: Vec<Law> = (0..parts.len())
-        .map(|part| match &parts[part].0 {
-            Law::Same(owner) if !own(*owner).is_drawn() => own(*owner),
-            law if law.is_drawn() => own(part),
-            law => law.clone(),
-        })
-        .collect();
-    let parts = laws.into_iter().zip(parts).map(|(law, (_, child))| (law, child)).collect();
-    let how = boxes.classes().filter_map(|class| Some((class, how.get(&class)?.clone())));
-    let how: Vec<(Class, How)> = how.collect();
-    plan.add(Form::Split { axis, parts }, how)
+    let Form::Split { parts, .. } = &plan.node(id).form else { return id };
+    let seen = plan::seen(plan, corpus, id, boxes);
+    let own = |part: usize| law_of(seen.iter().map(|(lengths, count)| (lengths[part], *count)));
+    let law = |(part, (law, _)): (usize, &(Law, NodeId))| match law {
+        Law::Same(owner) if !own(*owner).is_drawn() => own(*owner),
+        law if law.is_drawn() => own(part),
+        law => law.clone(),
+    };
+    let laws = parts.iter().enumerate().map(law).collect();
+    plan.with_laws(id, boxes, laws)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::corpus::Place;
     use super::super::feasible::Lengths;
+    use super::super::plan::How;
     use super::super::volume::Volume;
     use super::*;
     use ndarray::Array3;

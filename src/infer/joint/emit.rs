@@ -42,6 +42,19 @@ impl Emitted {
         of(at).or_else(call).unwrap_or_default()
     }
 
+    /// The boxes of the alternative that an operation of a sample is, and all alternatives of the choice before it.
+    pub fn alternatives(
+        &self,
+        plan: &Plan,
+        derivation: &Derivation,
+        at: At,
+    ) -> Option<(Boxes, Vec<(NodeId, Boxes)>)> {
+        let mut ids = self.planned(derivation, derivation.before(at)?).into_iter();
+        let all = ids.find_map(|id| alternatives(plan, id, self.boxes(id)))?;
+        let (_, own) = all.get(derivation.get(at).number)?;
+        Some((own.clone(), all))
+    }
+
     /// The boxes that a node which the root reaches stands for.
     pub fn boxes(&self, id: NodeId) -> &Boxes {
         &self.boxes[&id]

@@ -433,10 +433,9 @@ impl<'c> Explainer<'c> {
     fn joined(&mut self, boxes: &Boxes, axis: Axis, nodes: &[NodeId], at: Vec<Starts>) -> NodeId {
         let mut starts: Vec<(Class, u32, Starts)> = Vec::new();
         for ((class, count), planes) in boxes.iter().zip(at) {
-            let ends = planes.iter().copied().chain([self.corpus.profile(class).len(axis)]);
-            let lows = std::iter::once(0).chain(planes.iter().copied());
+            let spans = plan::spans(&planes, self.corpus.profile(class).len(axis));
             let mut own = Starts::new();
-            for ((low, high), node) in lows.zip(ends).zip(nodes) {
+            for ((low, high), node) in spans.zip(nodes) {
                 let part = self.corpus.part(class, axis, low, high);
                 own.extend((low > 0).then_some(low));
                 own.extend(self.starts(*node, axis, part).iter().map(|start| start + low));
@@ -488,9 +487,8 @@ impl<'c> Explainer<'c> {
         let seen: Vec<Seen> = starts
             .iter()
             .map(|(class, count, starts)| {
-                let low = std::iter::once(0).chain(starts.iter().copied());
-                let high = starts.iter().copied().chain([self.corpus.profile(*class).len(axis)]);
-                (low.zip(high).map(|(low, high)| high - low).collect(), *count)
+                let spans = plan::spans(starts, self.corpus.profile(*class).len(axis));
+                (spans.map(|(low, high)| high - low).collect(), *count)
             })
             .collect();
         let stretch: Vec<Stretch> = children.iter().map(|child| stretch(&self.plan, *child, axis)).collect();

@@ -4,7 +4,7 @@ use super::boxes::Boxes;
 use super::corpus::{Class, Corpus};
 use super::dependence;
 use super::estimate::{SLOPE, choice};
-use super::laws::{Law, integer};
+use super::laws::{Law, Seen, integer};
 use super::recolour::{ARGUMENT, CALL};
 use super::rows::Row;
 use super::slopes::Slope;
@@ -134,6 +134,16 @@ impl Plan {
             [only] => *only,
             _ => self.add(Form::Choose(distinct), how),
         }
+    }
+
+    /// A split of these boxes with other laws; any other node itself.
+    pub fn with_laws(&mut self, id: NodeId, boxes: &Boxes, laws: Vec<Law>) -> NodeId {
+        let Node { form: Form::Split { axis, parts }, how } = self.node(id) else { return id };
+        let parts = laws.into_iter().zip(parts).map(|(law, (_, child))| (law, *child)).collect();
+        let form = Form::Split { axis: *axis, parts };
+        let how = boxes.classes().filter_map(|class| Some((class, how.get(&class)?.clone())));
+        let how: Vec<(Class, How)> = how.collect();
+        self.add(form, how)
     }
 
     pub fn children(&self, id: NodeId) -> Vec<NodeId> {
@@ -354,9 +364,18 @@ pub fn lengths(plan: &Plan, corpus: &Corpus, id: NodeId, class: Class) -> Vec<i3
     let (Form::Split { axis, .. }, Some(How::Split(starts))) = (&node.form, node.how.get(&class)) else {
         return Vec::new();
     };
+    spans(starts, corpus.profile(class).len(*axis)).map(|(low, high)| high - low).collect()
+}
+
+/// Where parts start and end in a box of that length, of which these are the starts from the second one on.
+pub fn spans(starts: &[i32], len: i32) -> impl Iterator<Item = (i32, i32)> {
     let low = std::iter::once(0).chain(starts.iter().copied());
-    let high = starts.iter().copied().chain([corpus.profile(class).len(*axis)]);
-    low.zip(high).map(|(low, high)| high - low).collect()
+    low.zip(starts.iter().copied().chain([len]))
+}
+
+/// The lengths of the parts of boxes under a split.
+pub fn seen(plan: &Plan, corpus: &Corpus, id: NodeId, boxes: &Boxes) -> Vec<Seen> {
+    boxes.iter().map(|(class, count)| (lengths(plan, corpus, id, class), count)).collect()
 }
 
 /// The parts of a box of that class under a node, each with the node that describes it.
@@ -365,13 +384,10 @@ pub fn inside(plan: &Plan, corpus: &mut Corpus, id: NodeId, class: Class) -> Vec
     match (&node.form, node.how.get(&class)) {
         (Form::Split { axis, parts }, Some(How::Split(starts))) => {
             let len = corpus.profile(class).len(*axis);
-            let low = std::iter::once(0).chain(starts.iter().copied());
-            let high = starts.iter().copied().chain([len]);
-            let bounds: Vec<(i32, i32)> = low.zip(high).collect();
             let part = |((_, child), (low, high)): (&(Law, NodeId), (i32, i32))| {
                 (*child, corpus.part(class, *axis, low, high))
             };
-            parts.iter().zip(bounds).map(part).collect()
+            parts.iter().zip(spans(starts, len)).map(part).collect()
         }
         (Form::Repeat { axis, unit, child }, Some(How::Repeat)) => {
             let len = corpus.profile(class).len(*axis);

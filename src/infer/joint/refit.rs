@@ -1,9 +1,9 @@
 //! Laws that go by what stands in the parts of splits now.
 
 use super::boxes::Boxes;
-use super::corpus::{Class, Corpus};
-use super::laws::{Seen, Stretch, fitted};
-use super::plan::{self, Form, How, Node, NodeId, Plan};
+use super::corpus::Corpus;
+use super::laws::{Stretch, fitted};
+use super::plan::{self, Form, NodeId, Plan};
 use super::replace::rebuilt;
 use super::stretch::stretch;
 use rustc_hash::FxHashMap;
@@ -21,25 +21,20 @@ pub fn refitted(plan: &mut Plan, corpus: &mut Corpus, root: NodeId, boxes: &Boxe
 
 /// A split of these boxes with laws that go by what stands in it now, if it leaves any lengths to chance.
 fn with_laws(plan: &mut Plan, corpus: &Corpus, id: NodeId, boxes: &Boxes) -> NodeId {
-    let Node { form: Form::Split { axis, parts }, how } = plan.node(id) else { return id };
+    let Form::Split { axis, parts } = &plan.node(id).form else { return id };
     if !parts.iter().any(|(law, _)| law.is_drawn()) {
         return id;
     }
-    let axis = *axis;
-    let children: Vec<NodeId> = parts.iter().map(|(_, child)| *child).collect();
-    let how = boxes.classes().filter_map(|class| Some((class, how.get(&class)?.clone())));
-    let how: Vec<(Class, How)> = how.collect();
-    let seen: Vec<Seen> =
-        boxes.iter().map(|(class, count)| (plan::lengths(plan, corpus, id, class), count)).collect();
-    let stretch: Vec<Stretch> = children.iter().map(|child| stretch(plan, *child, axis)).collect();
-    let parts = fitted(&seen, &stretch).into_iter().zip(children).collect();
-    plan.add(Form::Split { axis, parts }, how)
+    let stretch: Vec<Stretch> = parts.iter().map(|(_, child)| stretch(plan, *child, *axis)).collect();
+    let laws = fitted(&plan::seen(plan, corpus, id, boxes), &stretch);
+    plan.with_laws(id, boxes, laws)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::corpus::Place;
+    use super::super::corpus::{Class, Place};
     use super::super::laws::Law;
+    use super::super::plan::How;
     use super::super::volume::Volume;
     use super::*;
     use crate::space::Axis;

@@ -31,11 +31,9 @@ impl Sides {
 
     /// Whether what stands at one end of the boxes stands at the other one too, of the same box or of another.
     fn hold(&self, corpus: &mut Corpus, boxes: &Boxes) -> bool {
-        let mut ends = boxes.classes().zip(&self.middles);
-        let ends: Option<Vec<[Skeleton; 2]>> = ends.try_fold(Vec::new(), |mut all, (class, middle)| {
-            all.push(self.ends(corpus, class, *middle)?);
-            Some(all)
-        });
+        let ends =
+            boxes.classes().zip(&self.middles).map(|(class, middle)| self.ends(corpus, class, *middle));
+        let ends: Option<Vec<[Skeleton; 2]>> = ends.collect();
         let Some(ends) = ends else { return false };
         let [low, high] = [0, 1].map(|end| ends.iter().map(|ends| ends[end]).collect::<BTreeSet<Skeleton>>());
         low.is_subset(&high) || high.is_subset(&low)
