@@ -172,10 +172,12 @@ fn learn(args: &Args, output: &Path) -> Result<(), Failure> {
         .map_err(|error| failure(&paths, &error))?;
     learnt.graph.preamble = preamble(&paths, ["one house:", "houses:"]);
     let text = learnt.grammar().to_string();
-    let Learnt { labels, by, .. } = learnt;
     let graph = read_back(&text)?;
+    if !learnt.is_proved || graph != learnt.graph {
+        prove(&paths, &derived(&examples, &graph, &learnt.labels, MOST_STEPS))?;
+    }
+    let Learnt { labels, by, .. } = learnt;
     let parser = Parser::new(&graph, Laws::AsWritten).with_labels(&labels);
-    prove(&paths, &derived(&examples, &graph, &labels, MOST_STEPS))?;
     let mut outputs = vec![Output::new(output, text)];
     outputs.extend(args.dot.as_ref().map(|path| Output::new(path, dot(&graph))));
     output::write(&outputs, &paths)?;

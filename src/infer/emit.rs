@@ -42,7 +42,7 @@ pub fn emit(
     let labels = primitives.place_in(&mut graph);
     graph.sizes = sizes(examples);
     graph.data_version = data_version(examples);
-    Learnt { graph, labels, by: Method::Boxes, notes: Notes::default() }
+    Learnt { graph, labels, by: Method::Boxes, is_proved: false, notes: Notes::default() }
 }
 
 struct Emitter {

@@ -78,6 +78,8 @@ pub struct Learnt {
     pub labels: Labels,
     /// The method that learnt it.
     pub by: Method,
+    /// Whether a parser has shown already that the graph derives every example.
+    pub is_proved: bool,
     /// Comments for whoever reads it.
     pub notes: Notes,
 }
@@ -144,11 +146,22 @@ pub fn infer(examples: &[Example], method: Method, freedom: Freedom) -> Result<L
         }
         Method::Joint | Method::Boxes | Method::Shapes => by_boxes(&open, freedom, Mixing::Woven, method),
     };
-    let learnt = match (method, first) {
-        (Method::Joint, Example::Boxes(_)) => learnt.map(|apart| trees::shorter(apart, &open)),
-        _ => learnt,
+    let learnt = learnt?;
+    let joined = match (method, first) {
+        (Method::Joint, Example::Boxes(_)) => trees::shorter(&learnt, &open),
+        _ => None,
     };
-    Ok(naming::name(learnt?, examples))
+    let joined = joined.and_then(|joined| proved(naming::name(joined, examples), &open));
+    Ok(joined.unwrap_or_else(|| naming::name(learnt, examples)))
+}
+
+/// The steps of a proof of one example, about a second: what takes longer to prove is left.
+const MOST_PROVED: u64 = 1 << 18;
+
+/// What a parser proves.
+fn proved(learnt: Learnt, examples: &[Example]) -> Option<Learnt> {
+    let all = derived(examples, &learnt.graph, &learnt.labels, MOST_PROVED);
+    all.into_iter().all(|is| is).then_some(Learnt { is_proved: true, ..learnt })
 }
 
 /// How examples that are learnt one by one are mixed.

@@ -99,7 +99,8 @@ pub fn emit(
     graph.sizes = starts.sizes(root, boxes, sizes);
     graph.data_version = data_version(examples);
     let nodes = made.into_iter().filter_map(|(node, ids)| Some((*kept.get(&node)?, ids))).collect();
-    let learnt = Learnt { graph, labels: Labels::new(), by: Method::Joint, notes: Notes::default() };
+    let (labels, notes) = (Labels::new(), Notes::default());
+    let learnt = Learnt { graph, labels, by: Method::Joint, is_proved: false, notes };
     Emitted { learnt, nodes, root, boxes: all.into_iter().collect() }
 }
 

@@ -30,5 +30,5 @@ pub fn name(learnt: Learnt, examples: &[Example]) -> Learnt {
     materials::lift(&mut graph, &rules, examples);
     labels::label(&mut graph, &rules, &sights);
     let notes = notes::notes(&graph, &sights, examples, by);
-    Learnt { graph, labels, by, notes }
+    Learnt { graph, labels, by, is_proved: false, notes }
 }

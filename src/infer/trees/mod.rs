@@ -23,7 +23,7 @@ mod sketch;
 
 use super::emit::{Primitives, sizes};
 use super::example::{Example, Terminal, Terminals};
-use super::{Learnt, Method, Notes, derived};
+use super::{Learnt, Method, Notes};
 use crate::graph::{Builder, raise};
 use crate::space::{Bounds, Cell};
 use forest::Forest;
@@ -45,22 +45,13 @@ fn merged(forest: &Forest) -> (Roles, RoleId) {
 /// So few rules can be read as they are: they stay as exact as they are.
 const FEW_RULES: usize = 64;
 
-/// The steps of a proof of one example, about a second: what takes longer to prove is left.
-const MOST_PROVED: u64 = 1 << 18;
-
-/// What labelled boxes have in common, if that takes fewer rules than to learn each by itself and a parser proves it.
-/// Lists forget in which order their units come, which few rules need not.
-pub fn shorter(apart: Learnt, examples: &[Example]) -> Learnt {
+/// What labelled boxes have in common, if that takes fewer rules than what was learnt of each by itself. Lists forget in
+/// which order their units come, which few rules need not.
+pub fn shorter(apart: &Learnt, examples: &[Example]) -> Option<Learnt> {
     let count = |learnt: &Learnt| raise(&learnt.graph).rules.len();
-    let apart_count = count(&apart);
-    if examples.len() < 2 || apart_count <= FEW_RULES {
-        return apart;
-    }
-    let joined = joined(examples).filter(|joined| count(joined) < apart_count);
-    let is_proved = |joined: &Learnt| {
-        derived(examples, &joined.graph, &joined.labels, MOST_PROVED).into_iter().all(|is| is)
-    };
-    joined.filter(is_proved).unwrap_or(apart)
+    let apart = count(apart);
+    let is_worth_it = examples.len() > 1 && apart > FEW_RULES;
+    is_worth_it.then(|| joined(examples))?.filter(|joined| count(joined) < apart)
 }
 
 /// Learns one op graph from labelled boxes; `None` where some of them cannot be cut.
@@ -81,7 +72,7 @@ fn joined(examples: &[Example]) -> Option<Learnt> {
     let (mut graph, _) = builder.finish(node);
     graph.sizes = sizes(examples);
     let labels = primitives.place_in(&mut graph);
-    Some(Learnt { graph, labels, by: Method::Joint, notes: Notes::default() })
+    Some(Learnt { graph, labels, by: Method::Joint, is_proved: false, notes: Notes::default() })
 }
 
 #[cfg(test)]
