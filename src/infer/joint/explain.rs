@@ -6,7 +6,7 @@ use super::corpus::{Class, Corpus};
 use super::dependence;
 use super::estimate::{ALTERNATION, ALTERNATIVE, Estimates, REPEAT, SLOPE, choice, of_row};
 use super::groups::groupings;
-use super::laws::{Law, Seen, Stretch, fitted};
+use super::laws::{Law, Seen, fitted};
 use super::memo::Memo;
 use super::plan::{self, Form, How, NodeId, Plan};
 use super::planes::{Plane, Stands, planes};
@@ -15,7 +15,7 @@ use super::repeats::Period;
 use super::rows::Row;
 use super::sides::Sides;
 use super::slopes::Slope;
-use super::stretch::stretch;
+use super::stretch;
 use crate::space::Axis;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smallvec::SmallVec;
@@ -491,10 +491,10 @@ impl<'c> Explainer<'c> {
                 (spans.map(|(low, high)| high - low).collect(), *count)
             })
             .collect();
-        let stretch: Vec<Stretch> = children.iter().map(|child| stretch(&self.plan, *child, axis)).collect();
+        let parts = stretch::parts(&self.plan, children, axis);
         let laws = match self.is_kept(boxes) {
             true => seen[0].0.iter().map(|len| Law::Const(*len)).collect(),
-            false => fitted(&seen, &stretch),
+            false => fitted(&seen, &parts),
         };
         let parts = laws.into_iter().zip(children.iter().copied()).collect();
         let how = starts.into_iter().map(|(class, _, starts)| (class, How::Split(starts)));

@@ -99,6 +99,14 @@ pub enum Stretch {
     Stiff,
 }
 
+/// What laws go by in a part, beside its lengths.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Part {
+    pub stretch: Stretch,
+    /// The number of what stands in it.
+    pub look: u32,
+}
+
 /// The parts whose lengths are not one.
 fn varying(seen: &[Seen]) -> Vec<usize> {
     let varies = |part: &usize| seen.iter().any(|(lengths, _)| lengths[*part] != seen[0].0[*part]);
@@ -131,20 +139,24 @@ pub fn sharing(seen: &[Seen]) -> f64 {
 }
 
 /// The shortest laws that may give all that was seen.
-pub fn fitted(seen: &[Seen], stretch: &[Stretch]) -> Vec<Law> {
+pub fn fitted(seen: &[Seen], parts: &[Part]) -> Vec<Law> {
+    if let Some(laws) = mirrored(seen, parts) {
+        return laws;
+    }
     let (varying, constant) = (varying(seen), constant(seen));
     if varying.is_empty() {
-        return stretched(constant, &seen[0].0, stretch);
+        return stretched(constant, &seen[0].0, parts);
     }
+    let is_stiff = |part: &usize| parts[*part].stretch == Stretch::Stiff;
     let drawn = || {
         let options = varying.iter().map(|floating| {
             let (bits, laws) = drawn(seen, &constant, &varying, *floating);
-            let is_stiff = stretch[*floating] == Stretch::Stiff;
+            let is_stiff = is_stiff(floating);
             (overdraws(seen, &laws, *floating), is_stiff, bits, laws)
         });
         let middles = varying.iter().filter_map(|middle| {
             let (bits, laws) = between(seen, &constant, &varying, *middle)?;
-            let is_stiff = varying.iter().any(|part| part != middle && stretch[*part] == Stretch::Stiff);
+            let is_stiff = varying.iter().any(|part| part != middle && is_stiff(part));
             Some((false, is_stiff, bits, laws))
         });
         let options = options.chain(middles);
@@ -173,12 +185,35 @@ fn overdraws(seen: &[Seen], laws: &[Law], floating: usize) -> bool {
 
 /// Laws of parts that never varied: of those that look alike at any length the longest floats, so that the split
 /// fills other scopes as well.
-fn stretched(mut laws: Vec<Law>, lengths: &[i32], stretch: &[Stretch]) -> Vec<Law> {
-    let longer = (0..lengths.len()).filter(|part| stretch[*part] == Stretch::Alike && lengths[*part] > 1);
-    if let Some(longest) = longer.max_by_key(|part| (lengths[*part], std::cmp::Reverse(*part))) {
+fn stretched(mut laws: Vec<Law>, lengths: &[i32], parts: &[Part]) -> Vec<Law> {
+    if let Some(longest) = longest(lengths, parts) {
         laws[longest] = Law::Float(1);
     }
     laws
+}
+
+/// The longest part that looks alike at any length.
+fn longest(lengths: &[i32], parts: &[Part]) -> Option<usize> {
+    let longer =
+        (0..lengths.len()).filter(|part| parts[*part].stretch == Stretch::Alike && lengths[*part] > 1);
+    longer.max_by_key(|part| (lengths[*part], std::cmp::Reverse(*part)))
+}
+
+/// Laws by which what stands in the middle stays there: where one half mirrors the other, all that looks the same shares
+/// evenly what the rest leaves, if that gives all that was seen.
+fn mirrored(seen: &[Seen], parts: &[Part]) -> Option<Vec<Law>> {
+    let varying = varying(seen);
+    let first = varying.first().copied().or_else(|| longest(&seen[0].0, parts))?;
+    let is_same = |part: &usize| parts[*part].look == parts[first].look;
+    let same: Vec<usize> = (0..parts.len()).filter(is_same).collect();
+    let is_mirrored = (0..parts.len()).all(|part| parts[part].look == parts[parts.len() - 1 - part].look);
+    let is_alike = parts[first].stretch == Stretch::Alike;
+    if !is_mirrored || !is_alike || same.len() < 2 || !varying.iter().all(is_same) {
+        return None;
+    }
+    let mut laws = constant(seen);
+    same.into_iter().for_each(|part| laws[part] = Law::Float(1));
+    seen.iter().all(|(lengths, _)| gives(&laws, lengths)).then_some(laws)
 }
 
 /// So many different lengths tell that those between them are right as well.
@@ -302,7 +337,8 @@ mod tests {
 
     fn laws_of(seen: &[&[i32]], stretch: &[Stretch]) -> Vec<Law> {
         let seen: Vec<Seen> = seen.iter().map(|lengths| (lengths.to_vec(), 1)).collect();
-        let laws = fitted(&seen, stretch);
+        let parts = (0..).zip(stretch).map(|(look, stretch)| Part { stretch: *stretch, look });
+        let laws = fitted(&seen, &parts.collect::<Vec<Part>>());
         for (lengths, _) in &seen {
             assert!(laws.iter().zip(lengths).all(|(law, len)| allows(law, *len)), "{laws:?}");
         }
@@ -347,6 +383,17 @@ mod tests {
         let laws = laws_of(&[&[1, 4, 2]], &[Stretch::Alike, Stretch::Alike, Stretch::Stiff]);
         assert_eq!(laws, [Law::Const(1), Law::Float(1), Law::Const(2)]);
         assert_eq!(laws_of(&[&[1, 4]], &[Stretch::Stiff; 2]), [Law::Const(1), Law::Const(4)]);
+    }
+
+    #[test]
+    fn what_stands_in_the_middle_stays_there() {
+        let parts = |looks: &[u32]| -> Vec<Part> {
+            looks.iter().map(|look| Part { stretch: Stretch::Alike, look: *look }).collect()
+        };
+        let laws = |lengths: &[i32], looks: &[u32]| fitted(&[(lengths.to_vec(), 1)], &parts(looks));
+        assert_eq!(laws(&[2, 1, 2], &[0, 1, 0]), [Law::Float(1), Law::Const(1), Law::Float(1)]);
+        assert_eq!(laws(&[3, 1, 2], &[0, 1, 0]), [Law::Float(1), Law::Const(1), Law::Const(2)]);
+        assert_eq!(laws(&[2, 1, 2], &[0, 1, 2]), [Law::Float(1), Law::Const(1), Law::Const(2)]);
     }
 
     #[test]

@@ -2,10 +2,10 @@
 
 use super::boxes::Boxes;
 use super::corpus::Corpus;
-use super::laws::{Stretch, fitted};
+use super::laws::fitted;
 use super::plan::{self, Form, NodeId, Plan};
 use super::replace::rebuilt;
-use super::stretch::stretch;
+use super::stretch;
 use rustc_hash::FxHashMap;
 
 /// The root of the plan with the laws of all splits that leave lengths to chance fitted again: what stands in them may
@@ -25,8 +25,9 @@ fn with_laws(plan: &mut Plan, corpus: &Corpus, id: NodeId, boxes: &Boxes) -> Nod
     if !parts.iter().any(|(law, _)| law.is_drawn()) {
         return id;
     }
-    let stretch: Vec<Stretch> = parts.iter().map(|(_, child)| stretch(plan, *child, *axis)).collect();
-    let laws = fitted(&plan::seen(plan, corpus, id, boxes), &stretch);
+    let children: Vec<NodeId> = parts.iter().map(|(_, child)| *child).collect();
+    let parts = stretch::parts(plan, &children, *axis);
+    let laws = fitted(&plan::seen(plan, corpus, id, boxes), &parts);
     plan.with_laws(id, boxes, laws)
 }
 

@@ -1,9 +1,15 @@
 //! How the nodes of a plan take to lengths that they were not seen in.
 
-use super::laws::{Law, Stretch};
+use super::laws::{Law, Part, Stretch};
 use super::plan::{Form, NodeId, Plan};
 use super::slopes::End;
 use crate::space::Axis;
+
+/// The parts of a split along an axis.
+pub fn parts(plan: &Plan, children: &[NodeId], along: Axis) -> Vec<Part> {
+    let part = |child: &NodeId| Part { stretch: stretch(plan, *child, along), look: child.0 };
+    children.iter().map(part).collect()
+}
 
 /// How a node takes to other lengths.
 pub fn stretch(plan: &Plan, node: NodeId, along: Axis) -> Stretch {

@@ -5,7 +5,7 @@ use super::draw::{Draw, number};
 use super::row::Row;
 use super::sketch::{Sketch, split};
 use crate::graph::{Expr, Size};
-use crate::infer::joint::laws::{Law, Seen, Stretch, fitted};
+use crate::infer::joint::laws::{Law, Part, Seen, Stretch, fitted};
 use crate::space::Axis;
 use std::collections::BTreeMap;
 
@@ -26,7 +26,7 @@ struct Parts {
 /// How a row is written that is `least` cells long at least.
 pub fn fixed(axis: Axis, rows: &[Row], children: &[Sketch], least: i32, need: Need) -> Fixed {
     let parts = Parts::of(rows, children);
-    let mut laws = fitted(&parts.seen, &parts.stretch());
+    let mut laws = fitted(&parts.seen, &parts.known());
     if !laws.iter().any(|law| matches!(law, Law::Float(_))) {
         let longest = (0..laws.len()).max_by_key(|at| (parts.is_full(*at), parts.seen[0].0[*at]));
         laws[longest.unwrap_or(0)] = Law::Float(1);
@@ -65,12 +65,14 @@ impl Parts {
         !matches!(self.sketches[at], Sketch::Nil)
     }
 
-    fn stretch(&self) -> Vec<Stretch> {
-        let of = |sketch: &Sketch| match sketch {
+    /// What the laws go by, of each.
+    fn known(&self) -> Vec<Part> {
+        let stretch = |sketch: &Sketch| match sketch {
             Sketch::Nil | Sketch::Leaf(_) => Stretch::Alike,
             _ => Stretch::Bends,
         };
-        self.sketches.iter().map(of).collect()
+        let look = |sketch: &Sketch| self.sketches.iter().take_while(|own| *own != sketch).count() as u32;
+        self.sketches.iter().map(|sketch| Part { stretch: stretch(sketch), look: look(sketch) }).collect()
     }
 
     fn least(&self, at: usize) -> i32 {

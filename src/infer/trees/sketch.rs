@@ -4,7 +4,7 @@ use super::role::RoleId;
 use crate::graph::{Expr, Size};
 use crate::space::Axis;
 
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum Sketch {
     Nil,
     Leaf(u32),
