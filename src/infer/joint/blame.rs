@@ -66,15 +66,6 @@ impl Suspects<'_> {
         windows.iter().map(of).collect()
     }
 
-    /// For each place of a fault, what the sample drew there and no example draws at this length.
-    pub fn drawn(&self, faulty: &Faulty) -> Vec<Vec<Drawn>> {
-        let Fault::Unseen { windows, .. } = &faulty.fault else { return Vec::new() };
-        let of = |window: &Bounds| {
-            by_length::drawn(self.plan, self.corpus, self.emitted, &faulty.derivation, *window)
-        };
-        windows.iter().map(of).collect()
-    }
-
     /// Where two parts meet whose ends were seen there, but never together, they are torn apart. An end that was not
     /// seen there has its cause within its part.
     fn of_window(&mut self, sample: &Sample<'_>, window: Bounds) -> Vec<Repairs> {
@@ -169,6 +160,13 @@ impl Suspects<'_> {
         let is_other = !covers(&own) && alternatives.iter().any(|(_, boxes)| covers(boxes));
         is_other.then_some(own)
     }
+}
+
+/// For each place of a fault, what the sample drew there and no example draws at this length.
+pub fn drawn(plan: &Plan, corpus: &Corpus, emitted: &Emitted, faulty: &Faulty) -> Vec<Vec<Drawn>> {
+    let Fault::Unseen { windows, .. } = &faulty.fault else { return Vec::new() };
+    let of = |window: &Bounds| by_length::drawn(plan, corpus, emitted, &faulty.derivation, *window);
+    windows.iter().map(of).collect()
 }
 
 /// A sample whose cells are without what neighbours decide.

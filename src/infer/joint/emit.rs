@@ -10,7 +10,7 @@ use super::plan::{Form, NodeId, Plan, alternatives, occurrences};
 use super::rows::{Row, State};
 use super::scope::{Scope, Within};
 use super::slopes::Slope;
-use super::starts::{Sizes, Starts};
+use super::starts::{Sizes, StartSizes};
 use crate::grammar::ast::BinaryOp;
 use crate::graph::{Alternative, Arg, Builder, Expr, NodeIndex, Op, Size};
 use crate::infer::emit::{block_expr, data_version};
@@ -95,7 +95,7 @@ pub fn emit(
     }
     let node = emitter.nodes[&root];
     let (mut graph, kept) = emitter.builder.finish(node);
-    let starts = Starts { plan, corpus: emitter.corpus, feasible: &emitter.feasible, limits };
+    let starts = StartSizes { plan, corpus: emitter.corpus, feasible: &emitter.feasible, limits };
     graph.sizes = starts.sizes(root, boxes, sizes);
     graph.data_version = data_version(examples);
     let nodes = made.into_iter().filter_map(|(node, ids)| Some((*kept.get(&node)?, ids))).collect();

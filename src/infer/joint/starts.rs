@@ -13,7 +13,7 @@ use crate::space::Axis;
 use std::collections::BTreeMap;
 
 /// What start sizes depend on.
-pub struct Starts<'s> {
+pub struct StartSizes<'s> {
     pub plan: &'s Plan,
     pub corpus: &'s Corpus,
     pub feasible: &'s Feasible,
@@ -29,7 +29,7 @@ pub enum Sizes {
     Between,
 }
 
-impl Starts<'_> {
+impl StartSizes<'_> {
     /// The start sizes of `root`, which describes `boxes`. Lengths on the axes that are free are drawn by themselves; on
     /// the others what was seen stays together.
     pub fn sizes(&self, root: NodeId, boxes: &Boxes, sizes: Sizes) -> Vec<StartSize> {

@@ -1,7 +1,7 @@
 //! One search for the shortest description of all examples: what samples of it show wrong is repaired, and what is one is
 //! made one rule.
 
-use super::blame::{Repair, Repairs, Suspects};
+use super::blame::{self, Repair, Repairs, Suspects};
 use super::boxes::Boxes;
 use super::by_length::{self, Drawn};
 use super::corpus::Corpus;
@@ -13,7 +13,7 @@ use super::narrow::{self, Blamed};
 use super::plan::{self, NodeId};
 use super::pool;
 use super::refit;
-use super::samples::{FEW, MANY, Shown};
+use super::samples::{FEW, Faulty, MANY, Shown};
 use super::starts::Sizes;
 use crate::infer::example::{Example, Terminals};
 use crate::infer::{Freedom, Learnt};
@@ -145,13 +145,12 @@ impl Task<'_> {
             let mut suspects = Suspects { plan, corpus, emitted: &emitted, made_for: &made_for };
             let repairs: Vec<Repairs> = faults.iter().flat_map(|faulty| suspects.repairs(faulty)).collect();
             let blamed: Vec<Blamed> = faults.iter().flat_map(|faulty| suspects.blamed(faulty)).collect();
-            let drawn: Vec<Vec<Drawn>> = faults.iter().flat_map(|faulty| suspects.drawn(faulty)).collect();
             if mend(explainer, limits, &repairs, &mut harsh) {
                 return Came::Repaired;
             }
             let narrower = narrow::narrowed(&mut explainer.plan, explainer.corpus, (root, boxes), &blamed);
             let other = match narrower == root {
-                true => by_length::barred(&mut explainer.plan, explainer.corpus, &emitted, limits, &drawn),
+                true => barred(explainer, &emitted, limits, &faults),
                 false => Some(narrower),
             };
             match other {
@@ -209,6 +208,19 @@ enum Came {
     /// All is to be explained again.
     Repaired,
     Stuck,
+}
+
+/// The root without what faulty samples drew and no example draws at that length, if there is such.
+fn barred(
+    explainer: &mut Explainer<'_>,
+    emitted: &Emitted,
+    limits: &mut Limits,
+    faults: &[Faulty],
+) -> Option<NodeId> {
+    let (plan, corpus) = (&mut explainer.plan, &*explainer.corpus);
+    let drawn = faults.iter().flat_map(|faulty| blame::drawn(plan, corpus, emitted, faulty));
+    let drawn: Vec<Vec<Drawn>> = drawn.collect();
+    by_length::barred(plan, corpus, emitted, limits, &drawn)
 }
 
 /// Makes the mildest repair of each fault that is new, if there is any. What would have to be kept apart for those without

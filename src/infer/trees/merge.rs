@@ -47,37 +47,33 @@ fn settle(roles: &mut Roles, root: RoleId) -> bool {
         if settled.contains(&id) || roles.role(id).leaf().is_some() {
             continue;
         }
-        let mut best: Option<Fold> = None;
-        for known in settled.iter().take(MOST_SETTLED) {
-            let fold = Fold::of(roles, *known, id);
-            let fold = fold.filter(|fold| fold.gain > MARGIN);
-            if let Some(fold) = fold
-                && best.as_ref().is_none_or(|best| fold.gain > best.gain)
-            {
-                best = Some(fold);
-            }
+        if let Some(fold) = into_settled(roles, &settled, id) {
+            fold.apply(roles);
+            merged = true;
+            settled = distinct(roles, settled);
+            // What they lead to may have grown.
+            let next = settled.iter().flat_map(|id| children(roles, *id));
+            open.extend(next.filter(|id| !settled.contains(id)));
+        } else {
+            settled.push(id);
+            open.extend(children(roles, id));
         }
-        match best {
-            Some(fold) => {
-                fold.apply(roles);
-                merged = true;
-                let mut kept: Vec<RoleId> = settled.iter().map(|id| roles.find(*id)).collect();
-                let mut known = BTreeSet::new();
-                kept.retain(|id| known.insert(*id));
-                settled = kept;
-                // What they lead to may have grown.
-                let next: Vec<RoleId> = settled.iter().flat_map(|id| children(roles, *id)).collect();
-                open.extend(next.into_iter().filter(|id| !settled.contains(id)));
-            }
-            None => {
-                settled.push(id);
-                open.extend(children(roles, id));
-            }
-        }
-        let mut known = BTreeSet::new();
-        open.retain(|id| known.insert(roles.find(*id)));
+        open = distinct(roles, open).into();
     }
     merged
+}
+
+/// The fold of a role into a settled one that wins most.
+fn into_settled(roles: &Roles, settled: &[RoleId], id: RoleId) -> Option<Fold> {
+    let folds = settled.iter().take(MOST_SETTLED).filter_map(|known| Fold::of(roles, *known, id));
+    let worth_it = folds.filter(|fold| fold.gain > MARGIN);
+    worth_it.reduce(|best, fold| if fold.gain > best.gain { fold } else { best })
+}
+
+/// What these roles are now, each once.
+fn distinct(roles: &Roles, ids: impl IntoIterator<Item = RoleId>) -> Vec<RoleId> {
+    let mut known = BTreeSet::new();
+    ids.into_iter().map(|id| roles.find(id)).filter(|id| known.insert(*id)).collect()
 }
 
 fn children(roles: &Roles, id: RoleId) -> Vec<RoleId> {
@@ -89,50 +85,33 @@ fn children(roles: &Roles, id: RoleId) -> Vec<RoleId> {
 fn generalise(roles: &mut Roles, root: RoleId) -> bool {
     let mut any = false;
     for id in roles.reached(root) {
-        if roles.find(id) != id {
-            continue;
-        }
-        let axes: BTreeSet<_> = roles
-            .role(id)
-            .forms
-            .keys()
-            .filter_map(|key| match key {
-                Key::Fixed { axis, .. } => Some(*axis),
-                _ => None,
-            })
-            .collect();
-        for axis in axes {
-            if roles.find(id) != id {
-                break;
-            }
-            let mut keys: Vec<(u32, Key)> = roles
-                .role(id)
-                .forms
-                .iter()
-                .filter(|(key, _)| matches!(key, Key::Fixed { axis: own, .. } if *own == axis))
-                .map(|(key, form)| (form.count, key.clone()))
-                .collect();
-            keys.sort();
-            let lists = (1..=keys.len()).filter_map(|count| {
-                let listed: BTreeSet<&Key> = keys[..count].iter().map(|(_, key)| key).collect();
-                Fold::listed(roles, id, &listed, &Key::List(axis))
-            });
-            let even: BTreeSet<&Key> = keys
-                .iter()
-                .map(|(_, key)| key)
-                .filter(|key| roles.role(id).forms[*key].list.shares.is_some())
-                .collect();
-            let evens =
-                (!even.is_empty()).then(|| Fold::listed(roles, id, &even, &Key::Even(axis))).flatten();
-            let folds = lists.chain(evens);
-            let best = folds.max_by(|one, other| one.gain.total_cmp(&other.gain));
-            if let Some(fold) = best.filter(|fold| fold.gain > MARGIN) {
+        for axis in Axis::ALL {
+            if roles.find(id) == id
+                && let Some(fold) = lists(roles, id, axis)
+            {
                 fold.apply(roles);
                 any = true;
             }
         }
     }
     any
+}
+
+/// The rarest rows of a role along an axis as a list, or those whose shares are even as one form: whichever wins most.
+fn lists(roles: &Roles, id: RoleId, axis: Axis) -> Option<Fold> {
+    let forms = &roles.role(id).forms;
+    let rows = forms.iter().filter(|(key, _)| matches!(key, Key::Fixed { axis: own, .. } if *own == axis));
+    let mut rows: Vec<(u32, &Key)> = rows.map(|(key, form)| (form.count, key)).collect();
+    rows.sort();
+    let lists = (1..=rows.len()).filter_map(|count| {
+        let rarest = rows[..count].iter().map(|(_, key)| *key).collect();
+        Fold::listed(roles, id, &rarest, &Key::List(axis))
+    });
+    let even: BTreeSet<&Key> =
+        rows.iter().map(|(_, key)| *key).filter(|key| forms[*key].list.shares.is_some()).collect();
+    let evens = (!even.is_empty()).then(|| Fold::listed(roles, id, &even, &Key::Even(axis))).flatten();
+    let best = lists.chain(evens).max_by(|one, other| one.gain.total_cmp(&other.gain));
+    best.filter(|fold| fold.gain > MARGIN)
 }
 
 /// Places of the kind of which others have space at an end become those without any; says whether any did.
@@ -208,7 +187,6 @@ impl Fold {
         (row, axis): (&Key, Axis),
         moved: &Key,
     ) -> Option<Fold> {
-        let mut fold = Fold { changed: BTreeMap::new(), merged: BTreeMap::new(), gain: 0.0 };
         let role = roles.role(id);
         let inner_id = roles.find(role.forms[row].children[0]);
         if inner_id == roles.find(id) {
@@ -217,32 +195,23 @@ impl Fold {
         let inner = roles.role(inner_id);
         let form = &role.forms[moved];
         let rows = roles.rows(forest, form, axis);
-        let plain = |key: &Key| {
-            let places: Vec<Row> = rows
-                .iter()
-                .map(|row| Row {
-                    units: vec![Unit { len: row.len(), gap: 0, place: row.place }],
-                    ..row.clone()
-                })
-                .collect();
-            Form { sources: form.sources.clone(), ..Form::of(key, &places, 0) }
+        let without = role.forms.iter().filter(|(key, _)| *key != moved);
+        let grown = |(key, own): (&Key, &Form)| {
+            let own = if key == row { own.plus(&whole(form, &rows, row)) } else { own.clone() };
+            (key.clone(), own)
+        };
+        let outer = Role { forms: without.map(grown).collect(), sizes: role.sizes.clone() };
+        let sizes = |axis: Axis| {
+            let own = rows.iter().map(|row| axis.of(forest.place(row.place).size));
+            inner.sizes[axis.index()].plus(&Hist::of(own))
         };
         let mut open = Vec::new();
-        let mut new = Role { sizes: role.sizes.clone(), ..Role::default() };
-        for (key, own) in role.forms.iter().filter(|(key, _)| *key != moved) {
-            let grown = if key == row { own.plus(&plain(row)) } else { own.clone() };
-            new.forms.insert(key.clone(), grown);
-        }
-        let size = |axis: Axis| {
-            inner.sizes[axis.index()]
-                .plus(&Hist::of(rows.iter().map(|row| axis.of(forest.place(row.place).size))))
-        };
-        let mut grown = Role { forms: inner.forms.clone(), sizes: Axis::ALL.map(size) };
-        enter(&mut grown, moved.clone(), form, &mut open);
-        fold.gain = [role, inner].map(|role| role.bits(roles.price)).iter().sum::<f64>()
-            - [&new, &grown].map(|role| role.bits(roles.price)).iter().sum::<f64>();
-        fold.changed.insert(roles.find(id), new);
-        fold.changed.insert(inner_id, grown);
+        let mut unit = Role { forms: inner.forms.clone(), sizes: Axis::ALL.map(sizes) };
+        enter(&mut unit, moved.clone(), form, &mut open);
+        let bits = |roles_of: [&Role; 2]| roles_of.map(|role| role.bits(roles.price)).iter().sum::<f64>();
+        let gain = bits([role, inner]) - bits([&outer, &unit]);
+        let changed = [(roles.find(id), outer), (inner_id, unit)].into();
+        let mut fold = Fold { changed, merged: BTreeMap::new(), gain };
         fold.run(roles, open).then_some(fold)
     }
 
@@ -289,6 +258,16 @@ impl Fold {
             roles.list[lost.0 as usize] = Role::default();
         }
     }
+}
+
+/// A row of one unit each, of the places of another form.
+fn whole(form: &Form, rows: &[Row], key: &Key) -> Form {
+    let alone = |row: &Row| {
+        let unit = Unit { len: row.len(), gap: 0, place: row.place };
+        Row { units: vec![unit], ..row.clone() }
+    };
+    let places: Vec<Row> = rows.iter().map(alone).collect();
+    Form { sources: form.sources.clone(), ..Form::of(key, &places, 0) }
 }
 
 /// Two roles as one; what stands in the same places of both is to be folded as well.
