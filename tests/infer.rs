@@ -356,6 +356,16 @@ fn the_other_families_of_the_thesis_are_recovered() {
     }
 }
 
+/// A proof is not made again of a text that says what was proved.
+#[test]
+fn what_is_proved_of_labelled_boxes_is_what_the_text_says() {
+    let city = include_str!("seed1/skyscraper-city.grammar");
+    let examples = runs(&graph_of(city), [128, 128, 64], 3);
+    let learnt = infer(&examples, Method::Joint, Freedom::Seen).unwrap();
+    assert!(learnt.is_proved);
+    assert!(graph_of(&learnt.grammar().to_string()) == learnt.graph);
+}
+
 /// Labelled boxes of a random split tree.
 fn jumbled(count: usize, seed: u64) -> Example {
     let (_, boxes) = jumble::jumble(count, seed);
