@@ -198,10 +198,13 @@ fn trial(truth: &Truth, count: usize, seed: u64, wanted: usize) -> Trial {
 /// other is to make unseen neighbourhoods.
 fn reachable(truth: &OpGraph, examples: &[Grid], first_seed: u64, wanted: usize) -> f64 {
     let fresh = Samples::draw_fresh(truth, &Library::new(), first_seed, wanted, examples).made;
-    let is_shown = |sample: &&Grid| seams(std::slice::from_ref(*sample), examples) == 0.0;
-    match fresh.len() {
+    let mut alphabet = Alphabet::default();
+    let shown = Seams::of(&alphabet.all(examples));
+    let samples: Vec<Cells> = alphabet.all(&fresh);
+    let is_shown = |sample: &&Cells| unseen_seams(std::slice::from_ref(*sample), &shown) == 0.0;
+    match samples.len() {
         0 => f64::NAN,
-        all => fresh.iter().filter(is_shown).count() as f64 / all as f64,
+        all => samples.iter().filter(is_shown).count() as f64 / all as f64,
     }
 }
 

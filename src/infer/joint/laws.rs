@@ -140,10 +140,10 @@ pub fn sharing(seen: &[Seen]) -> f64 {
 
 /// The shortest laws that may give all that was seen.
 pub fn fitted(seen: &[Seen], parts: &[Part]) -> Vec<Law> {
-    if let Some(laws) = mirrored(seen, parts) {
+    let (varying, constant) = (varying(seen), constant(seen));
+    if let Some(laws) = mirrored(seen, &constant, &varying, parts) {
         return laws;
     }
-    let (varying, constant) = (varying(seen), constant(seen));
     if varying.is_empty() {
         return stretched(constant, &seen[0].0, parts);
     }
@@ -201,8 +201,7 @@ fn longest(lengths: &[i32], parts: &[Part]) -> Option<usize> {
 
 /// Laws by which what stands in the middle stays there: where one half mirrors the other, all that looks the same shares
 /// evenly what the rest leaves, if that gives all that was seen.
-fn mirrored(seen: &[Seen], parts: &[Part]) -> Option<Vec<Law>> {
-    let varying = varying(seen);
+fn mirrored(seen: &[Seen], constant: &[Law], varying: &[usize], parts: &[Part]) -> Option<Vec<Law>> {
     let first = varying.first().copied().or_else(|| longest(&seen[0].0, parts))?;
     let is_same = |part: &usize| parts[*part].look == parts[first].look;
     let same: Vec<usize> = (0..parts.len()).filter(is_same).collect();
@@ -211,7 +210,7 @@ fn mirrored(seen: &[Seen], parts: &[Part]) -> Option<Vec<Law>> {
     if !is_mirrored || !is_alike || same.len() < 2 || !varying.iter().all(is_same) {
         return None;
     }
-    let mut laws = constant(seen);
+    let mut laws = constant.to_vec();
     same.into_iter().for_each(|part| laws[part] = Law::Float(1));
     seen.iter().all(|(lengths, _)| gives(&laws, lengths)).then_some(laws)
 }
